@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
-# dermis_module(NAME SOURCES ... DEPENDS modules ... LINKS libraries ...)
+# dermis_module(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LIGHTLY])
 #   One static library dermis_NAME for the folder src/NAME. DEPENDS names other rooms of the house (public);
 #   LINKS names outside libraries (private). A folder of headers alone has no SOURCES. The pairs are written
-#   to build/house.txt, against which the include check of tests/house holds every #include.
+#   to build/house.txt, against which the include check of tests/house holds every #include. LIGHTLY: compiled
+#   with -O1, in two thirds of the time, for rooms that read, check and arrange and compute next to nothing.
 # dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs]
-#             [COST seconds] [ENVIRONMENT variable=value ...] [PARTS name filter seconds ...])
+#             [COST seconds] [LONG] [SHORT filter ...] [ENVIRONMENT variable=value ...]
+#             [PARTS name filter seconds ...])
 #   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures
 #   load once).
 #   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at
@@ -12,11 +14,15 @@
 #   ENVIRONMENT: variables of all entries of the test. With GALLIVM_PERF=nopt Mesa's software driver does not
 #   optimise shaders: right for a test of many shaders and few pixels, which else waits for the compiler.
 #   PARTS: cases of a long test that are an entry of their own, NAME_part, so that no processor waits for
-#   another at the end; the filter is GoogleTest's. What is in no part stays in the entry NAME.
+#   another at the end; the filter is GoogleTest's, without a "-". A case belongs to the first part that names
+#   it, and in no part to the entry NAME.
+#   The short tier, `./run test`, is every test of the labels unit and house, less those that say LONG and
+#   parts called "long", and of the other labels the cases of SHORT, which are a part of that name. The target
+#   short_tests builds its programs and nothing else.
 #   Tests of the labels unit and gpu share one folder for kept files (build/.../cache), emptied when the tests
 #   begin (tests/CMakeLists.txt): what one has baked serves the others, and nothing of the user's own cache
 #   decides what is tested.
-# dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [COST seconds] [ARGS ...])
+# dermis_script_test(NAME SCRIPT file [LABEL unit|gpu|house|docs] [COST seconds] [LONG] [ARGS ...])
 #   A bash script as one ctest entry, given the source folder and ARGS as its arguments; it ends with a status
 #   other than 0 on failure.
 # The target unit_tests builds what the label unit needs and nothing else: the sanitizer run needs no more.
@@ -25,6 +31,7 @@ include(DermisPrecompiled)
 
 set_property(GLOBAL PROPERTY DERMIS_HOUSE "")
 add_custom_target(unit_tests)
+add_custom_target(short_tests)
 
 # Deferred to the end of the configuration, when every room has said what it depends on.
 function(dermis_write_house)
@@ -91,12 +98,15 @@ function(dermis_program_options target)
 endfunction()
 
 function(dermis_module name)
-  cmake_parse_arguments(M "" "" "SOURCES;DEPENDS;LINKS" ${ARGN})
+  cmake_parse_arguments(M "LIGHTLY" "" "SOURCES;DEPENDS;LINKS" ${ARGN})
   if(M_SOURCES)
     set(public PUBLIC)
     add_library(dermis_${name} STATIC ${M_SOURCES})
     dermis_compile_options(dermis_${name})
     dermis_precompiled(dermis_${name} library)
+    if(M_LIGHTLY)
+      target_compile_options(dermis_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
     target_link_libraries(dermis_${name} PRIVATE ${M_LINKS})
   else()
     set(public INTERFACE)
@@ -112,20 +122,32 @@ function(dermis_module name)
   set_property(GLOBAL APPEND_STRING PROPERTY DERMIS_HOUSE "${name}: ${deps}\n")
 endfunction()
 
+# Returns the labels of an entry: its own, and "short" where it belongs to the short tier.
+function(dermis_labels result label long part)
+  set(labels ${label})
+  if(part STREQUAL "short" OR (label MATCHES "unit|house" AND NOT long AND NOT part STREQUAL "long"))
+    list(APPEND labels short)
+  endif()
+  set(${result} ${labels} PARENT_SCOPE)
+endfunction()
+
 # Registers test_EXECUTABLE once more, or for the first time, with the cases of a filter; then variables.
-function(dermis_test_entry entry executable label cost filter)
+function(dermis_test_entry entry executable labels cost filter)
   add_test(NAME ${entry} COMMAND test_${executable} ${filter} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   set(variables ${ARGN})
-  if(label MATCHES "unit|gpu")
+  if(labels MATCHES "unit|gpu")
     list(APPEND variables XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/cache)
     set_tests_properties(${entry} PROPERTIES FIXTURES_REQUIRED empty_cache)
   endif()
-  set_tests_properties(${entry} PROPERTIES LABELS ${label} TIMEOUT 1200 COST ${cost}
+  set_tests_properties(${entry} PROPERTIES LABELS "${labels}" TIMEOUT 1200 COST ${cost}
     ENVIRONMENT "${variables}")
+  if("short" IN_LIST labels)
+    add_dependencies(short_tests test_${executable})
+  endif()
 endfunction()
 
 function(dermis_test name)
-  cmake_parse_arguments(T "" "LABEL;COST" "SOURCES;DEPENDS;LINKS;ENVIRONMENT;PARTS" ${ARGN})
+  cmake_parse_arguments(T "LONG" "LABEL;COST" "SOURCES;DEPENDS;LINKS;ENVIRONMENT;PARTS;SHORT" ${ARGN})
   add_executable(test_${name} ${T_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   dermis_compile_options(test_${name})
@@ -143,25 +165,38 @@ function(dermis_test name)
     set(T_COST 5)
   endif()
 
-  set(elsewhere "")
-  while(T_PARTS)
-    list(POP_FRONT T_PARTS part filter cost)
-    dermis_test_entry(${name}_${part} ${name} ${T_LABEL} ${cost} "--gtest_filter=${filter}"
-      ${T_ENVIRONMENT})
-    list(APPEND elsewhere ${filter})
-  endwhile()
-  list(JOIN elsewhere ":" elsewhere)
-  if(elsewhere)
-    set(elsewhere "--gtest_filter=-${elsewhere}")
-  endif()
-  dermis_test_entry(${name} ${name} ${T_LABEL} ${T_COST} "${elsewhere}" ${T_ENVIRONMENT})
   if(T_LABEL STREQUAL "unit")
     add_dependencies(unit_tests test_${name})
   endif()
+
+  if(T_SHORT)
+    list(JOIN T_SHORT ":" filter)
+    list(PREPEND T_PARTS short ${filter} ${T_COST})
+  endif()
+  set(elsewhere "")   # "-", then the filters of the parts so far
+  while(T_PARTS)
+    list(POP_FRONT T_PARTS part filter cost)
+    dermis_labels(labels ${T_LABEL} ${T_LONG} ${part})
+    dermis_test_entry(${name}_${part} ${name} "${labels}" ${cost} "--gtest_filter=${filter}${elsewhere}"
+      ${T_ENVIRONMENT})
+    if(filter STREQUAL "*")
+      return()
+    endif()
+    if(elsewhere)
+      string(APPEND elsewhere ":${filter}")
+    else()
+      set(elsewhere "-${filter}")
+    endif()
+  endwhile()
+  if(elsewhere)
+    set(elsewhere "--gtest_filter=${elsewhere}")
+  endif()
+  dermis_labels(labels ${T_LABEL} ${T_LONG} "")
+  dermis_test_entry(${name} ${name} "${labels}" ${T_COST} "${elsewhere}" ${T_ENVIRONMENT})
 endfunction()
 
 function(dermis_script_test name)
-  cmake_parse_arguments(T "" "SCRIPT;LABEL;COST" "ARGS" ${ARGN})
+  cmake_parse_arguments(T "LONG" "SCRIPT;LABEL;COST" "ARGS" ${ARGN})
   add_test(NAME ${name} COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${T_SCRIPT} ${PROJECT_SOURCE_DIR} ${T_ARGS}
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   if(NOT T_LABEL)
@@ -170,5 +205,6 @@ function(dermis_script_test name)
   if(NOT T_COST)
     set(T_COST 1)
   endif()
-  set_tests_properties(${name} PROPERTIES LABELS ${T_LABEL} TIMEOUT 300 COST ${T_COST})
+  dermis_labels(labels ${T_LABEL} ${T_LONG} "")
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 300 COST ${T_COST})
 endfunction()

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# install_packages.sh LIST | -- NAME...   Installs those packages that are missing, and does nothing at all
-# when none is: no package index is read, no password asked. Exit status 1, with one line that says what to
-# do, when they cannot be installed.
+# install_packages.sh LIST [SECTION...] | -- NAME...   Installs those packages of the list that are missing,
+# of all its sections or of those named, and does nothing at all when none is: no package index is read, no
+# password asked. Exit status 1, with one line that says what to do, when they cannot be installed.
 set -euo pipefail
 export LC_ALL=C
 
@@ -12,7 +12,11 @@ if [[ ${1:-} == -- ]]; then
   wanted=("${@:2}")
 else
   [[ -r ${1:-} ]] || fail "package list '${1:-}' cannot be read"
-  mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$1")
+  mapfile -t wanted < <(awk -v sections=" ${*:2} " '
+    { sub(/#.*/, ""); gsub(/[[:space:]]/, "") }
+    /^\[.*\]$/ { here = " " substr($0, 2, length($0) - 2) " "; next }
+    $0 != "" && (sections ~ /^ *$/ || index(sections, here))' "$1")
+  [[ ${#wanted[@]} -gt 0 ]] || fail "package list '$1' has nothing in: ${*:2}"
 fi
 
 if ! command -v dpkg-query >/dev/null; then

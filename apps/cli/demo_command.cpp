@@ -1,126 +1,123 @@
 // SPDX-License-Identifier: MIT
-// Draws what one shows to somebody: a head with and without scattering, a strip of frames, and a page of
-// both.
+// Draws the page that a newcomer sees: a face with scattering and without, two details, three skins.
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/command_line.h"
 #include "cli/demo/page.h"
 #include "cli/output.h"
 #include "cli/progress.h"
-#include "cli/sequence/sheet.h"
-#include "core/error.h"
 #include "core/file.h"
-#include "image/codec.h"
 
 namespace dermis::cli {
 namespace {
 
-constexpr int strip_frames = 6;
-
 struct DemoArguments {
-  std::string head = "built-in", scan, folder = "out";
+  std::string scan, folder = "out";
   DeviceArguments on;
 };
 
-// What a person would type for these settings.
-std::string command_of(const char* command, const std::string& scene, const RenderSettings& s,
-                       const std::string& output) {
-  std::string text = fmt::format("dermis {} {}", command, scene);
-  if (!s.camera.name.empty()) text += " --camera " + s.camera.name;
-  if (s.camera.eye_m && s.camera.target_m)
-    text += fmt::format(" --eye {:g},{:g},{:g} --target {:g},{:g},{:g} --fov {:g}", (*s.camera.eye_m)[0],
-                        (*s.camera.eye_m)[1], (*s.camera.eye_m)[2], (*s.camera.target_m)[0],
-                        (*s.camera.target_m)[1], (*s.camera.target_m)[2], *s.camera.fov_deg);
-  for (const PlacedLight& light : s.lighting.placed_lights)
-    text += fmt::format(" --light {:g},{:g},{:g}", light.azimuth_deg, light.elevation_deg, light.irradiance);
-  text += fmt::format(" --light-radius {:g} --environment {} --environment-intensity {:g} --background {}",
-                      *s.lighting.light_radius_m, s.lighting.environment, s.lighting.environment_intensity,
-                      s.output.background);
-  if (s.technique != RenderSettings().technique) text += " --technique " + s.technique;
-  return text + fmt::format(" --map-size {} --size {}x{} -o {}", s.quality.map_size, s.output.width,
-                            s.output.height, output);
-}
+/// A camera and the lamps that go with it.
+struct View {
+  std::array<double, 3> eye_m, target_m;
+  double fov_deg;
+  std::vector<PlacedLight> lights;
+  double ambient;
+};
 
-// A soft key light, the built-in studio for the rest, a wall behind.
-RenderSettings settings_of_demo() {
+/// One hard lamp from the side, whose shadows show how far light spreads, and a faint one for the other side.
+const std::vector<PlacedLight> side_light = {{.azimuth_deg = 72, .elevation_deg = 22, .irradiance = 4.5},
+                                             {.azimuth_deg = -70, .elevation_deg = 5, .irradiance = 0.2}};
+/// A lamp behind the ear, and a faint one in front.
+const std::vector<PlacedLight> back_light = {{.azimuth_deg = 158, .elevation_deg = 8, .irradiance = 12},
+                                             {.azimuth_deg = 20, .elevation_deg = 20, .irradiance = 0.5}};
+
+/// Views of a head: its origin is where its file has it.
+struct Views {
+  View face, terminator, ear;
+};
+const Views scan_views = {.face = {{0.09, 0.075, 0.62}, {0.01, 0.058, 0.05}, 16.5, side_light, 0.04},
+                          .terminator = {{0.09, 0.075, 0.62}, {0.012, 0.078, 0.08}, 6.5, side_light, 0.04},
+                          .ear = {{0.3, 0.085, 0.4}, {0.079, 0.078, -0.005}, 8.5, back_light, 0.06}};
+const Views built_in_views = {.face = {{0.1, 0.02, 0.68}, {0.008, -0.005, 0.05}, 15, side_light, 0.04},
+                              .terminator = {{0.1, 0.02, 0.68}, {0.01, 0.012, 0.07}, 6, side_light, 0.04},
+                              .ear = {{0.3, 0.03, 0.38}, {0.077, 0.018, -0.012}, 8.5, back_light, 0.06}};
+const View bust = {{0.14, 0.02, 0.75}, {0.004, 0.005, 0.05}, 20, side_light, 0.04};
+
+constexpr const char* background = "#3a424d";
+
+RenderSettings settings_of(const View& view, int width, int height) {
   RenderSettings s;
-  s.lighting.placed_lights = {{.azimuth_deg = -20, .elevation_deg = 38, .irradiance = 2.6}};
-  s.lighting.light_radius_m = 0.12;
-  s.lighting.environment = "studio";
-  s.lighting.environment_intensity = 0.3;
-  s.output.background = "studio";
-  s.output.width = 640;
-  s.output.height = 720;
-  s.output.frames = 3;
+  s.camera.eye_m = view.eye_m;
+  s.camera.target_m = view.target_m;
+  s.camera.fov_deg = view.fov_deg;
+  s.lighting.placed_lights = view.lights;
+  s.lighting.ambient = view.ambient;
+  s.output.background = background;
+  s.output.width = width;
+  s.output.height = height;
   s.quality.map_size = 1024;
   return s;
 }
 
-// Three-quarter view of the built-in head: its face fills the frame.
-void frame_face(RenderSettings& s) {
-  s.camera.eye_m = {0.46, 0.03, 0.88};
-  s.camera.target_m = {0.0, 0.018, 0.03};
-  s.camera.fov_deg = 17.5;
+/// The word that started this program, as a shell takes it.
+std::string program() { return command_line().substr(0, command_line().find(' ')); }
+
+/// Returns the command line that draws these settings.
+std::string command_of(const std::string& scene, const RenderSettings& s, const std::string& output) {
+  const auto point = [](const std::array<double, 3>& p) {
+    return fmt::format("{:g},{:g},{:g}", p[0], p[1], p[2]);
+  };
+  std::string text =
+      fmt::format("{} render {} --eye {} --target {} --fov {:g}", program(), cli::quoted(scene),
+                  point(*s.camera.eye_m), point(*s.camera.target_m), *s.camera.fov_deg);
+  for (const PlacedLight& light : s.lighting.placed_lights)
+    text += fmt::format(" --light={:g},{:g},{:g}", light.azimuth_deg, light.elevation_deg, light.irradiance);
+  text += fmt::format(" --ambient {:g} --background {} --map-size {} --size {}x{}", s.lighting.ambient,
+                      cli::quoted(s.output.background), s.quality.map_size, s.output.width, s.output.height);
+  if (s.technique != RenderSettings().technique) text += " --technique " + s.technique;
+  return text + " -o " + cli::quoted(output);
 }
 
 class Demo {
  public:
-  Demo(const DemoArguments& arguments)
+  explicit Demo(const DemoArguments& arguments)
       : arguments_(arguments),
         renderer_(
             {.device = arguments.on.device, .validate = arguments.on.validate, .hooks = terminal_hooks()}) {}
 
-  void draw_head(const std::string& name, const std::string& title, const Scene& scene, RenderSettings s,
-                 const std::string& stem) {
-    show_line("drawing " + title);
-    demo::Pair pair{.name = title, .scattered = drawn(name, scene, s, stem), .lambert = {}};
-    s.technique = "lambert";
-    pair.lambert = drawn(name, scene, s, stem + "-lambert");
-    page_.heads.push_back(std::move(pair));
+  /// Draws the three pairs of a head.
+  void draw_head(const std::string& name, const Scene& scene, const Views& views) {
+    page_.pairs = {
+        pair("One hard light from the side", name, scene, settings_of(views.face, 600, 660), "demo"),
+        pair("Where light turns to shadow", name, scene, settings_of(views.terminator, 420, 420),
+             "demo-terminator"),
+        pair("An ear, lit from behind", name, scene, settings_of(views.ear, 420, 420), "demo-ear")};
   }
 
-  // The clip of the head if it has one, else a turn of the camera.
-  void draw_strip(Scene scene, RenderSettings s) {
-    s.output.width = 320;
-    s.output.height = 360;
-    s.output.frames = 1;
-    s.quality.map_size = 512;
-    const InstanceId head = scene.instances().front();
-    const Asset asset = scene.instance(head).asset;
-    if (asset.clips().empty()) return;
-    const std::string clip = asset.clips().front();
-    const double end_s = asset.clip_end_s(clip);
-
-    sequence::Sheet sheet(strip_frames, s.output.width, s.output.height);
-    PreparedFrame frame = renderer_.prepare(scene, s);
-    for (int i = 0; i < strip_frames; ++i) {
-      show_line(fmt::format("frame {} of {}", i + 1, strip_frames));
-      scene.pose(head, clip, end_s * i / strip_frames);
-      frame.set(scene, s);
-      const Picture picture = frame.picture();
-      sheet.add(static_cast<std::size_t>(i),
-                {.width = picture.width, .height = picture.height, .rgba = picture.display_rgba});
-    }
-    page_.strip = sheet.picture();
-    page_.strip_command =
-        command_of("sequence", arguments_.head, s, path("frame-%d.png")) +
-        fmt::format(" --clip {} --fps {:g} --sheet {}", clip, strip_frames / end_s, path("demo-strip.png"));
-    image::save_png(path("demo-strip.png"), page_.strip);
+  void draw_skin(const std::string& name, const Scene& scene) {
+    page_.skins.push_back(
+        drawn(name, scene, settings_of(bust, 300, 360), "demo-" + name.substr(name.find(':') + 1)));
   }
 
-  int finish(double seconds) {
+  void credit(std::string text) { page_.credit = std::move(text); }
+
+  int finish(const std::string& head, double seconds) {
     show_line("");
     if (tell_validation_messages(renderer_)) return 1;
-    write_file(path("demo.html"), demo::html(page_));
-    for (const demo::Pair& pair : page_.heads)
-      fmt::print("{}: {:.0f} ms per frame, lambert {:.0f} ms\n", pair.name,
-                 pair.scattered.cost.frame_ms_median, pair.lambert.cost.frame_ms_median);
-    fmt::print("{} in {:.0f} s\npage: {}\n", page_.heads.front().scattered.cost.device, seconds,
-               std::filesystem::absolute(path("demo.html")).string());
+
+    page_.seconds = seconds;
+    page_.next = next_commands(head);
+    const std::string file = path("demo.html");
+    write_file(file, demo::html(page_));
+    const Statistics& cost = page_.pairs.front().scattered.cost;
+    fmt::print("drawn in {:.0f} s on {}\npage: {}\n", seconds, cost.device,
+               std::filesystem::absolute(file).string());
     return 0;
   }
 
@@ -129,15 +126,46 @@ class Demo {
     return (std::filesystem::path(arguments_.folder) / file).string();
   }
 
+  demo::Pair pair(const std::string& title, const std::string& name, const Scene& scene, RenderSettings s,
+                  const std::string& stem) {
+    demo::Pair pair{.title = title, .scattered = drawn(name, scene, s, stem), .lambert = {}};
+    s.technique = "lambert";
+    pair.lambert = drawn(name, scene, s, stem + "-lambert");
+    return pair;
+  }
+
   demo::Shown drawn(const std::string& name, const Scene& scene, const RenderSettings& s,
                     const std::string& stem) {
+    show_line("drawing " + stem);
     const std::string file = path(stem + ".png");
     Picture picture = renderer_.render(scene, s);
     picture.save(file);
     return {
-        .command = command_of("render", name, s, file),
+        .command = command_of(name, s, file),
         .pixels = {.width = picture.width, .height = picture.height, .rgba = std::move(picture.display_rgba)},
         .cost = std::move(picture.statistics)};
+  }
+
+  /// Commands to try after the page, each as it is to be typed.
+  std::vector<demo::Next> next_commands(const std::string& head) const {
+    const std::string start = program(), name = cli::quoted(head);
+    const auto file = [this](const std::string& stem) { return cli::quoted(path(stem)); };
+    return {{"Another light and camera. Any glTF 2.0 head can stand in place of this one.",
+             fmt::format(
+                 "{} render {} --orbit 35,5 --environment studio --background studio --size 480x540 -o {}",
+                 start, name, file("studio.png"))},
+            {"How far apart the two pictures above are, in numbers and as a map.",
+             fmt::format("{} compare {} {} --html {}", start, file("demo.png"), file("demo-lambert.png"),
+                         file("difference.html"))},
+            {"Skin from measured coefficients: how far light spreads in it, and a picture with that profile.",
+             fmt::format("{0} profile --preset skin1 --gaussians 6 -o {1} && {0} render {2} --profile {1} "
+                         "--size 480x540 -o {3}",
+                         start, file("skin1.json"), name, file("skin1.png"))},
+            {"A turn of the camera in eight frames, on one sheet.",
+             fmt::format(
+                 "{} sequence {} --orbit 0,5..360,5 --fps 2 --light=40,25 --size 160x180 -o {} --sheet {}",
+                 start, name, file("turn-%02d.png"), file("turn.png"))},
+            {"The options of a picture.", start + " render --help"}};
   }
 
   const DemoArguments& arguments_;
@@ -146,39 +174,34 @@ class Demo {
 };
 
 void run(const DemoArguments& arguments, int& exit_status) {
-  if (!arguments.head.starts_with("built-in"))
-    throw input_error(arguments.head, "the demo's first head is built-in, built-in:light or built-in:dark");
   std::filesystem::create_directories(arguments.folder);
   const auto start = std::chrono::steady_clock::now();
   Demo demo(arguments);
 
-  const std::string name = arguments.head == "built-in" ? "built-in:medium" : arguments.head;
-  show_line("making the head");
-  const Scene head = Scene::load(name, {}, terminal_hooks());
-  RenderSettings settings = settings_of_demo();
-  frame_face(settings);
-  demo.draw_head(arguments.head, "the built-in head", head, settings, "demo");
-  demo.draw_strip(head, settings);
-
-  if (!arguments.scan.empty()) {
-    const Scene scan = Scene::load(arguments.scan, {}, terminal_hooks());
-    RenderSettings of_scan = settings_of_demo();
-    of_scan.camera.name = "portrait";
-    demo.draw_head(arguments.scan, "a scanned head", scan, of_scan, "demo-scan");
-  }
+  const std::string light = "built-in:light", head = arguments.scan.empty() ? light : arguments.scan;
+  show_line("loading " + head);
+  demo.draw_head(head, Scene::load(head, {}, terminal_hooks()),
+                 arguments.scan.empty() ? built_in_views : scan_views);
+  if (!arguments.scan.empty())
+    demo.credit(
+        "Head: Infinite, 3D Head Scan by Lee Perry-Smith (Infinite-Realities, www.ir-ltd.net), CC BY 3.0; "
+        "scaled, lit and rendered by dermis.");
+  for (const std::string& name : {light, std::string("built-in:medium"), std::string("built-in:dark")})
+    demo.draw_skin(name, Scene::load(name, {}, terminal_hooks()));
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  exit_status = demo.finish(seconds);
+  exit_status = demo.finish(head, seconds);
 }
 
 }  // namespace
 
 void add_demo_command(CLI::App& app, int& exit_status) {
   CLI::App* command = app.add_subcommand(
-      "demo", "draw the built-in head with and without scattering, a strip of frames, and a page of all");
+      "demo", "draw a face with scattering and without, two details and three skins, and a page of all");
   auto arguments = std::make_shared<DemoArguments>();
-  command->add_option("HEAD", arguments->head, "built-in, built-in:light or built-in:dark");
-  command->add_option("--scan", arguments->scan, "glTF head with a camera 'portrait', drawn too")
+  command
+      ->add_option("--scan", arguments->scan,
+                   "assets/heads/lee-perry-smith.gltf with its files; without it the built-in head is drawn")
       ->default_str("");
   command->add_option("-o,--output", arguments->folder, "folder of the pictures and demo.html");
   add_device_arguments(*command, arguments->on);

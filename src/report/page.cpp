@@ -27,6 +27,8 @@ p { max-width: 60rem; }
 .figures { display: flex; flex-wrap: wrap; gap: 1rem; }
 figure { margin: 0; max-width: 100%; }
 figcaption { color: #aaa; margin-top: .3rem; overflow-wrap: anywhere; }
+figcaption { width: 0; min-width: max(100%, 12rem); }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #1c1c1c; padding: .5rem .8rem; }
 img { display: block; max-width: 100%; height: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 td { padding: .15rem 1.2rem .15rem 0; border-bottom: 1px solid #444; overflow-wrap: anywhere; }

@@ -46,6 +46,13 @@ check "nothing is asked of the system" asked_nothing
 check "nothing is said" says_nothing
 install -- other-dev
 check "packages by name" says "installing 1 missing packages: other-dev"
+printf '[draw]\npresent-dev\n[test]\nother-dev  # there\n' >"$scratch/sections.txt"
+install "$scratch/sections.txt" draw
+check "a section: what stands in another is not asked for" asked_nothing
+install "$scratch/sections.txt" draw test
+check "two sections" says "installing 1 missing packages: other-dev"
+install "$scratch/sections.txt" none
+check "a section that is none: exit status 1" status_is 1
 install "$scratch/none.txt"
 check "no list: exit status 1" status_is 1
 check "no list: said" says "cannot be read"

@@ -16,8 +16,8 @@ check "unknown command: the known ones" says \
 call "$root/run" fetch-assets --into "$scratch/nowhere"
 check "fetch-assets hands its options on" says "$scratch/nowhere: not a folder"
 call bash -c "sed -e 's/#.*//' '$root/tools/packages.txt' |
-  grep -vE '^[a-z0-9][a-z0-9+.-]*[[:space:]]*\$|^\$'"
-check "every package name is one" says_nothing
+  grep -vE '^[a-z0-9][a-z0-9+.-]*[[:space:]]*\$|^\[(draw|test|rest)\]\$|^\$'"
+check "every package name is one, and every section" says_nothing
 call bash -c "sed -e 's/[[:space:]]*#.*//' -e '/^\$/d' '$root/tools/packages.txt' | sort | uniq -d"
 check "no package is named twice" says_nothing
 call bash -c "grep -E '^[a-z0-9]' '$root/tools/packages.txt' | grep -v '#'"

@@ -3,67 +3,72 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "cli/bench/passes.h"
-#include "report/charts.h"
 #include "report/escape.h"
 #include "report/html.h"
 
 namespace dermis::cli::demo {
 namespace {
 
-std::string caption(const char* what, const Shown& shown) {
-  return fmt::format("{}<br><code>{}</code>", what, report::escape(shown.command));
+std::string code(const std::string& command) { return "<code>" + report::escape(command) + "</code>"; }
+
+std::string side_by_side(const Pair& pair, std::size_t number) {
+  return "<div class=\"figures\">\n" +
+         report::figure(
+             "Light that enters the skin spreads and leaves it beside where it entered.<br>" +
+                 code(pair.scattered.command),
+             report::picture(fmt::format("scattered-{}", number), pair.scattered.pixels, "texture-space")) +
+         report::figure("The same without scattering.<br>" + code(pair.lambert.command),
+                        report::picture(fmt::format("lambert-{}", number), pair.lambert.pixels, "lambert")) +
+         "</div>\n";
 }
 
-std::string pictures(const Pair& pair, std::size_t number) {
-  const std::string left = fmt::format("scattered-{}", number), right = fmt::format("lambert-{}", number);
-  return "<h2>" + report::escape(pair.name) + "</h2>\n<div class=\"figures\">\n" +
-         report::figure(caption("with light that scatters beneath the skin", pair.scattered),
-                        report::picture(left, pair.scattered.pixels, "texture-space")) +
-         report::figure(caption("without", pair.lambert),
-                        report::picture(right, pair.lambert.pixels, "lambert")) +
-         "</div>\n" + report::slider(left, right, "texture-space", "lambert");
+std::string heading(const std::string& title) { return "<h2>" + report::escape(title) + "</h2>\n"; }
+
+/// The first view: a slider, whose pixels are those of the pictures below it.
+std::string first_view(const Page& page) {
+  std::string text = heading(page.pairs.front().title) +
+                     report::slider("scattered-0", "lambert-0", "scattering", "none") + "\n";
+  if (!page.credit.empty()) text += "<p>" + report::escape(page.credit) + "</p>\n";
+  return text;
 }
 
-std::vector<std::string> row(const PassStatistics& pass) {
-  return {pass.name, bench::pass_groups()[bench::group_of(pass.name)], fmt::format("{:.2f}", pass.ms),
-          fmt::format("{}", pass.calls)};
+std::string skins(const std::vector<Shown>& all) {
+  if (all.empty()) return {};
+  std::string text = "<h2>Three skins of the built-in head</h2>\n<div class=\"figures\">\n";
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += report::figure(code(all[i].command),
+                           report::picture(fmt::format("skin-{}", i), all[i].pixels, "a head"));
+  return text + "</div>\n";
 }
 
-std::string times(const Page& page) {
-  report::BarChart chart{.unit = "ms", .parts = bench::pass_groups(), .bars = {}};
-  for (const Pair& pair : page.heads) {
-    chart.bars.push_back({pair.name + ", texture-space", bench::group_ms(pair.scattered.cost.passes)});
-    chart.bars.push_back({pair.name + ", lambert", bench::group_ms(pair.lambert.cost.passes)});
-  }
+std::string cost(const Page& page) {
+  const Statistics& with = page.pairs.front().scattered.cost;
+  return fmt::format("<p>{}</p>\n",
+                     report::escape(fmt::format(
+                         "These pictures took {:.0f} seconds on {}, loading and preparing included. A "
+                         "frame of the first, {} x {} pixels, took {:.0f} ms with scattering and {:.0f} ms "
+                         "without.",
+                         page.seconds, with.device, with.width, with.height, with.frame_ms_median,
+                         page.pairs.front().lambert.cost.frame_ms_median)));
+}
 
-  const Statistics& cost = page.heads.front().scattered.cost;
-  std::vector<std::vector<std::string>> rows;
-  for (const PassStatistics& pass : bench::merge_passes(cost.passes)) rows.push_back(row(pass));
-  std::sort(rows.begin(), rows.end(),
-            [](const auto& a, const auto& b) { return std::stod(a[2]) > std::stod(b[2]); });
-
-  return "<h2>What a frame costs</h2>\n<p>" +
-         report::escape(fmt::format("{}, {}; {} x {} pixels, light maps of {} texels; medians of {} frames.",
-                                    cost.device, cost.driver, cost.width, cost.height, cost.map_size,
-                                    cost.frames)) +
-         "</p>\n" + report::legend(chart.parts) + report::bar_chart(chart) + "<h3>" +
-         report::escape("Passes of " + page.heads.front().name) + "</h3>\n" +
-         report::grid({"pass", "group", "ms", "calls"}, rows);
+std::string next(const std::vector<Next>& all) {
+  std::string text = "<h2>Next</h2>\n";
+  for (const Next& one : all)
+    text += "<p>" + report::escape(one.why) + "</p>\n<pre class=\"next\">" + report::escape(one.command) +
+            "</pre>\n";
+  return text;
 }
 
 }  // namespace
 
 std::string html(const Page& page) {
-  std::string body;
-  for (std::size_t i = 0; i < page.heads.size(); ++i) body += pictures(page.heads[i], i);
-  if (!page.strip_command.empty())
-    body +=
-        "<h2>Six moments</h2>\n" + report::figure("<code>" + report::escape(page.strip_command) + "</code>",
-                                                  report::picture("strip", page.strip, "six frames"));
-  return report::page("dermis: skin in real time", body + times(page));
+  std::string body = first_view(page);
+  for (std::size_t i = 1; i < page.pairs.size(); ++i)
+    body += heading(page.pairs[i].title) + side_by_side(page.pairs[i], i);
+  body += skins(page.skins) + cost(page) + next(page.next) + heading("The first view again, side by side") +
+          side_by_side(page.pairs.front(), 0);
+  return report::page("dermis: skin in real time", body);
 }
 
 }  // namespace dermis::cli::demo

@@ -10,27 +10,33 @@
 
 namespace dermis::cli::demo {
 
-/// A picture, what it shows and what it cost.
+/// A picture, the command that makes it, and its cost.
 struct Shown {
-  std::string command;  ///< that makes it
+  std::string command;
   image::Image8 pixels;
   Statistics cost;
 };
 
-/// A head, drawn with scattering and without.
+/// A view, drawn with scattering and without.
 struct Pair {
-  std::string name;
+  std::string title;
   Shown scattered, lambert;
 };
 
-struct Page {
-  std::vector<Pair> heads;    ///< at least one
-  std::string strip_command;  ///< empty: there is no strip
-  image::Image8 strip;
+/// A command to try, and its purpose in a sentence.
+struct Next {
+  std::string why, command;
 };
 
-/// Returns one file of HTML, pictures and all: the pairs under sliders, the strip, and the times of the
-/// passes.
+struct Page {
+  std::vector<Pair> pairs;  ///< at least one; the first is under a slider, the others are details
+  std::vector<Shown> skins;
+  std::string credit;  ///< author and licence of the head; empty: none is needed
+  double seconds = 0;  ///< that the pictures took
+  std::vector<Next> next;
+};
+
+/// Returns one file of HTML, pictures and all.
 std::string html(const Page& page);
 
 }  // namespace dermis::cli::demo

@@ -10,18 +10,19 @@ image::Image8 grey(std::uint8_t value) {
   return {.width = 6, .height = 4, .rgba = std::vector<std::uint8_t>(6 * 4 * 4, value)};
 }
 
-Page page_of(std::size_t heads) {
-  Page page;
-  for (std::size_t i = 0; i < heads; ++i) {
-    Pair pair{.name = "a <head>",
+Page page_of(std::size_t pairs) {
+  Page page{.pairs = {},
+            .skins = {{.command = "dermis render built-in:dark", .pixels = grey(50), .cost = {}}},
+            .credit = "by <somebody>",
+            .seconds = 12,
+            .next = {{.why = "once & again", .command = "dermis render 'a b'"}}};
+  for (std::size_t i = 0; i < pairs; ++i) {
+    Pair pair{.title = "a <head>",
               .scattered = {.command = "dermis render 'a&b'", .pixels = grey(200), .cost = {}},
               .lambert = {.command = "dermis render --technique lambert", .pixels = grey(100), .cost = {}}};
     pair.scattered.cost.device = "a device";
-    pair.scattered.cost.passes = {{.name = "blur 0 u", .ms = 1.5, .calls = 1},
-                                  {.name = "final", .ms = 12.25, .calls = 1},
-                                  {.name = "background", .ms = 0.5, .calls = 1}};
-    pair.lambert.cost.passes = {{.name = "final", .ms = 3, .calls = 1}};
-    page.heads.push_back(std::move(pair));
+    pair.scattered.cost.frame_ms_median = 7;
+    page.pairs.push_back(std::move(pair));
   }
   return page;
 }
@@ -32,18 +33,17 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-TEST(DemoPage, HasPicturesCommandsAndTimes) {
-  const std::string page = html(page_of(2));
-  EXPECT_EQ(count(page, "id=\"scattered-"), 2u);
-  EXPECT_EQ(count(page, "id=\"lambert-"), 2u);
-  EXPECT_EQ(count(page, "a &lt;head&gt;</h2>"), 2u);
+TEST(DemoPage, HasPicturesCommandsAndSeconds) {
+  const std::string page = html(page_of(3));
+  EXPECT_EQ(count(page, "id=\"scattered-"), 3u);
+  EXPECT_EQ(count(page, "id=\"lambert-"), 3u);
+  EXPECT_EQ(count(page, "id=\"skin-"), 1u);
+  EXPECT_EQ(count(page, "a &lt;head&gt;</h2>"), 3u);
   EXPECT_NE(page.find("a&amp;b"), std::string::npos);
-  EXPECT_NE(page.find("a device"), std::string::npos);
-
-  // The longest pass first; each in its group.
-  EXPECT_LT(page.find("12.25"), page.find("1.50"));
-  EXPECT_LT(page.find("1.50"), page.find("0.50"));
-  EXPECT_EQ(page.find("other</td>"), std::string::npos);
+  EXPECT_NE(page.find("took 12 seconds on a device"), std::string::npos);
+  EXPECT_NE(page.find("took 7 ms with scattering"), std::string::npos);
+  EXPECT_NE(page.find("by &lt;somebody&gt;"), std::string::npos);
+  EXPECT_NE(page.find("once &amp; again"), std::string::npos);
 }
 
 TEST(DemoPage, AsksNothingOfTheNetwork) {
@@ -52,12 +52,11 @@ TEST(DemoPage, AsksNothingOfTheNetwork) {
   EXPECT_EQ(count(page, "href=\"http"), 0u);
 }
 
-TEST(DemoPage, ShowsAStripWhereThereIsOne) {
+TEST(DemoPage, NamesNobodyWhereNobodyIsToBeNamed) {
   Page page = page_of(1);
-  EXPECT_EQ(html(page).find("id=\"strip\""), std::string::npos);
-  page.strip = grey(50);
-  page.strip_command = "dermis sequence built-in";
-  EXPECT_NE(html(page).find("id=\"strip\""), std::string::npos);
+  EXPECT_NE(html(page).find("somebody"), std::string::npos);
+  page.credit.clear();
+  EXPECT_EQ(html(page).find("somebody"), std::string::npos);
 }
 
 }  // namespace
