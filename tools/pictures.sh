@@ -15,8 +15,9 @@ makehuman=${MAKEHUMAN:-../shared/assets/makehuman}
 environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
-names=(portrait-and-lambert environments soft-shadows backlit truth-side truth-studio shape-aware regions
-  skin-sets tone-maps turntable talking skins head-studio head-hard-light head-beside-scan peers peers-heads)
+names=(hard-light ear-from-behind three-skins environments soft-shadows backlit truth-side truth-studio
+  shape-aware regions skin-sets tone-maps turntable talking head-studio head-hard-light head-beside-scan
+  peers peers-heads)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -51,10 +52,34 @@ join() {
   convert "${@:3}" -filter Lanczos -resize "$2!" +append -quality 88 -strip "docs/pictures/$1.jpg"
 }
 
-portrait-and-lambert() {
-  render portrait $scan.gltf --size 960x1080
-  render without-scattering $scan.gltf --size 960x1080 --technique lambert
-  join $1 960x1080 $out/portrait.png $out/without-scattering.png
+# pair NAME HEAD OPTION...: out/pictures/NAME.png, and NAME-lambert.png without scattering
+pair() {
+  render "$@"
+  render "$1-lambert" "${@:2}" --technique lambert
+}
+
+side_light=(--light 72,22,4.5 --light=-70,5,0.2 --ambient 0.04 --background "#3a424d")
+
+hard-light() {
+  pair $1 $scan.gltf --eye 0.09,0.075,0.62 --target 0.01,0.058,0.05 --fov 16.5 "${side_light[@]}" \
+    --size 600x660
+  join $1 600x660 $out/$1.png $out/$1-lambert.png
+}
+
+ear-from-behind() {
+  pair $1 $scan.gltf --eye 0.3,0.085,0.4 --target 0.079,0.078,-0.005 --fov 8.5 --light 158,8,12 \
+    --light 20,20,0.5 --ambient 0.06 --background "#3a424d" --size 600x540
+  join $1 600x540 $out/$1.png $out/$1-lambert.png
+}
+
+three-skins() {
+  local skin
+  for skin in light medium dark; do
+    pair $1-$skin built-in:$skin --eye 0.14,0.02,0.75 --target 0.004,0.005,0.05 --fov 20 \
+      "${side_light[@]}" --map-size 1024 --size 400x480
+  done
+  convert \( $out/$1-{light,medium,dark}.png +append \) \
+    \( $out/$1-{light,medium,dark}-lambert.png +append \) -append -quality 88 -strip "docs/pictures/$1.jpg"
 }
 
 environments() {
@@ -161,12 +186,6 @@ head_sheet() {
     rows+=("$out/$name-$skin.png")
   done
   convert "${rows[@]}" -append -quality 88 -strip "docs/pictures/$name.jpg"
-}
-
-skins() {
-  render $1 built-in:light built-in:medium built-in:dark --layout row --environment studio \
-    --background studio --light 40,30,2 --orbit=25,5 --size 1080x480
-  convert "$out/$1.png" -quality 88 -strip "docs/pictures/$1.jpg"
 }
 
 head-studio() { head_sheet $1 --environment studio --background studio --light 40,30,2; }
