@@ -42,6 +42,26 @@ fails_with "map.jpg: no network"
 row "file://$scratch/server/map.jpg" "$right" "$bytes"; fetch --cached
 fails_with "not in the asset cache"
 
+# A server that sends half of the file and then nothing, until the caller loses patience, as ./run demo does.
+cat >"$scratch/half.py" <<'PYTHON'
+import socket, sys, time
+server = socket.create_server(("127.0.0.1", 0))
+print(server.getsockname()[1], flush=True)
+connection, _ = server.accept()
+connection.recv(65536)
+connection.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 16\r\n\r\na map of")
+time.sleep(30)
+PYTHON
+python3 "$scratch/half.py" >"$scratch/port" &
+server=$!
+until [[ -s $scratch/port ]]; do sleep 0.05; done
+row "http://127.0.0.1:$(<"$scratch/port")/map.jpg" "$right" "$bytes"
+no_proxy=127.0.0.1 NO_PROXY=127.0.0.1 call timeout 2 "$root/tools/fetch_assets.sh" \
+  --list "$scratch/list.tsv" --into "$scratch/into" --set test-set
+kill "$server"
+check "a fetch that is cut off: timeout's exit status" status_is 124
+check "a fetch that is cut off leaves nothing" folder_is_empty
+
 row "ftp://example.org/map.jpg" "$right" "$bytes"; fetch
 fails_with "line 2: expected an https, http or file URL"
 row "file://$scratch/server/map.jpg" "$right" "$bytes" "../map.jpg"; fetch

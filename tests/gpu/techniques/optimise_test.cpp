@@ -86,11 +86,15 @@ TEST_F(OnTheScan, CullLeavesWhatTheRuleLeaves) {
 }
 
 TEST_F(OnTheScan, ClipLeavesWhatLiesInThePyramid) {
-  for (const double margin_mm : {0.0, 8.0}) {
+  // Where nothing is said, light arrives from as far as the widest Gaussian of the published skin reaches.
+  constexpr double widest_mm2 = 7.41;
+  for (const std::optional<double> wanted_mm :
+       {std::optional(0.0), std::optional(4.0), std::optional<double>()}) {
+    const double margin_mm = wanted_mm.value_or(3 * std::sqrt(widest_mm2));
     RenderSettings s = settings_with(false, false, true);
     s.output.width = 192;
     s.camera.distance = 2.5;
-    s.quality.clip_margin_mm = margin_mm;
+    s.quality.clip_margin_mm = wanted_mm;
 
     const glm::dmat4 camera_from_world =
         glm::inverse(glm::dmat4(scene::distance_camera(sphere, 2.5).world_from_camera));
