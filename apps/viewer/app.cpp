@@ -290,7 +290,8 @@ int App::close() {
   ended = ended && !is_running();
 
   std::vector<std::string> messages = painters_.validation_messages();
-  const std::vector<std::string> own = presenter_.validation_messages();
+  presenter_.close();
+  const std::vector<std::string>& own = presenter_.validation_messages();
   messages.insert(messages.end(), own.begin(), own.end());
   for (const std::string& message : messages)
     std::fprintf(stderr, "dermis: validation: %s\n", message.c_str());

@@ -112,3 +112,23 @@ grep -q '"weights"' skin.scene.json || fail "no pose in the scene file"
 [[ $line == *neutral* ]] || fail "the dropped settings are not in the command line: $line"
 eval "\"${program%-view}\" ${line/-o skin.png/-o again.png}" >/dev/null
 cmp skin.png again.png || fail "the picture of a pose is not that of the command line"
+
+# Under the validation layer it closes in order, five times out of five: the last frame may still be drawn.
+for turn in 1 2 3 4 5; do
+  start_viewer built-in --validate --window 640x480 --map-size 64 --shadow-size 64 --samples 1 --bloom 0
+  mark; drag picture 40 50 $((50 + turn)) 40
+  close_viewer
+  grep 'validation:' "$log" && fail "closing is not in order"
+done
+
+# A window that another program destroys ends with one line.
+start_viewer built-in --window 640x480 --map-size 64 --shadow-size 64 --samples 1 --bloom 0
+xdotool windowclose "$window"
+status=0
+wait "$viewer" || status=$?
+[[ $status == 1 ]] || fail "without its window it ends with status $status"
+said=$(grep -vE '^(place|picture|idle|frame|opened|message)' "$log" | grep '^dermis:')
+[[ $said == 'dermis: the window was destroyed by another program' ||
+  $said == *'surface was lost'* ]] || fail "without its window it says: $said"
+grep -q 'X Error' "$log" && fail "an error of the display is not told as ours"
+true

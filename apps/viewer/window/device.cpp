@@ -84,8 +84,8 @@ PresentDevice::Handles::~Handles() {
   if (instance) vkDestroyInstance(instance, nullptr);
 }
 
-PresentDevice::PresentDevice(GLFWwindow* window, bool validate) {
-  make_instance(validate);
+PresentDevice::PresentDevice(GLFWwindow* window, bool validate, std::vector<std::string>& said) {
+  make_instance(validate, said);
   check(glfwCreateWindowSurface(vk_.instance, window, nullptr, &vk_.surface), "glfwCreateWindowSurface");
 
   std::uint32_t count = 0;
@@ -103,7 +103,7 @@ PresentDevice::PresentDevice(GLFWwindow* window, bool validate) {
                   count));
 }
 
-void PresentDevice::make_instance(bool validate) {
+void PresentDevice::make_instance(bool validate, std::vector<std::string>& said) {
   std::uint32_t count = 0;
   const char** names = glfwGetRequiredInstanceExtensions(&count);
   if (!names) throw DeviceError("no Vulkan driver can show a window here; 'dermis render' draws without one");
@@ -120,7 +120,7 @@ void PresentDevice::make_instance(bool validate) {
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
   messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
   messenger.pfnUserCallback = keep_message;
-  messenger.pUserData = &messages_;
+  messenger.pUserData = &said;
   const bool under_layer = validate && has_validation_layer();
   if (under_layer) {
     extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);

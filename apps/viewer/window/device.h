@@ -31,8 +31,9 @@ struct HostBuffer {
 class PresentDevice {
  public:
   /// Throws DeviceError: no device of Vulkan 1.3 can show pictures in this window. `validate`: under the
-  /// validation layer, where it is installed.
-  PresentDevice(GLFWwindow* window, bool validate);
+  /// validation layer, where it is installed; its messages are added to `said`, those of the destruction,
+  /// too.
+  PresentDevice(GLFWwindow* window, bool validate, std::vector<std::string>& said);
   PresentDevice(const PresentDevice&) = delete;
   PresentDevice& operator=(const PresentDevice&) = delete;
 
@@ -43,8 +44,8 @@ class PresentDevice {
   std::uint32_t queue_family() const { return queue_family_; }
   bool is_software() const { return is_software_; }
 
-  /// What the validation layer has said so far.
-  const std::vector<std::string>& messages() const { return messages_; }
+  /// Returns when the device draws nothing any more; a lost one does not.
+  void wait_idle() const { vkDeviceWaitIdle(vk_.device); }
 
   DeviceImage make_image(VkExtent2D extent) const;  ///< RGBA8, sampled, filled by copies
   HostBuffer make_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage) const;
@@ -58,11 +59,10 @@ class PresentDevice {
     VkDevice device = VK_NULL_HANDLE;
     ~Handles();
   };
-  void make_instance(bool validate);
+  void make_instance(bool validate, std::vector<std::string>& said);
   bool try_device(VkPhysicalDevice physical);
   Owned<VkDeviceMemory> allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags properties) const;
 
-  std::vector<std::string> messages_;
   Handles vk_;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkPhysicalDeviceMemoryProperties memory_{};

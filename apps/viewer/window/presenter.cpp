@@ -60,10 +60,9 @@ Presenter::~Presenter() {
 }
 
 void Presenter::make() {
-  if (parts_) said_.insert(said_.end(), parts_->device.messages().begin(), parts_->device.messages().end());
   parts_.reset();
   try {
-    parts_ = std::make_unique<Parts>(window_, validate_);
+    parts_ = std::make_unique<Parts>(window_, validate_, said_);
   } catch (const SurfaceLost&) {
     throw DeviceError("the window's surface was lost, and no other one can be made");
   }
@@ -123,11 +122,5 @@ bool Presenter::end() {
 }
 
 void Presenter::drop() { ImGui::EndFrame(); }
-
-std::vector<std::string> Presenter::validation_messages() const {
-  std::vector<std::string> all = said_;
-  all.insert(all.end(), parts_->device.messages().begin(), parts_->device.messages().end());
-  return all;
-}
 
 }  // namespace dermis::viewer

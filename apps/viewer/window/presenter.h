@@ -37,13 +37,18 @@ class Presenter {
   void drop();
 
   bool is_software() const { return parts_->device.is_software(); }
-  std::vector<std::string> validation_messages() const;
+  /// Destroys what shows the window; nothing can be shown after it.
+  void close() { parts_.reset(); }
+  /// Messages of the validation layer; complete after close().
+  const std::vector<std::string>& validation_messages() const { return said_; }
   std::uint64_t frames() const { return frames_; }  ///< that were shown
 
  private:
   struct Parts {
-    Parts(const Window& window, bool validate)
-        : device(window.handle(), validate), chain(device), ui(device, chain.format()) {}
+    Parts(const Window& window, bool validate, std::vector<std::string>& said)
+        : device(window.handle(), validate, said), chain(device), ui(device, chain.format()) {}
+    /// The last frame may still draw with any of the members.
+    ~Parts() { device.wait_idle(); }
     PresentDevice device;
     Swapchain chain;
     UiRenderer ui;
@@ -59,7 +64,7 @@ class Presenter {
 
   Window& window_;
   bool validate_;
-  std::vector<std::string> said_;  ///< by the validation layer of parts that are gone
+  std::vector<std::string> said_;  ///< by the validation layer of all parts so far; outlives them
   std::array<Kept, picture_slots> kept_;
   std::unique_ptr<Parts> parts_;
   std::chrono::steady_clock::time_point lost_at_{};

@@ -53,8 +53,6 @@ Swapchain::Swapchain(const PresentDevice& device) : device_(device) {
   check(vkAllocateCommandBuffers(device.handle(), &info, &commands_), "vkAllocateCommandBuffers");
 }
 
-Swapchain::~Swapchain() { vkDeviceWaitIdle(device_.handle()); }
-
 void Swapchain::wait() const { check(vkDeviceWaitIdle(device_.handle()), "vkDeviceWaitIdle"); }
 
 void Swapchain::make(VkExtent2D window) {

@@ -15,7 +15,6 @@ class Swapchain {
   explicit Swapchain(const PresentDevice& device);
   Swapchain(const Swapchain&) = delete;
   Swapchain& operator=(const Swapchain&) = delete;
-  ~Swapchain();
 
   VkFormat format() const { return format_.format; }
 

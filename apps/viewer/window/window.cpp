@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dermis/error.h"
+#include "viewer/window/display_errors.h"
 
 namespace dermis::viewer {
 namespace {
@@ -23,6 +24,7 @@ Window::Window(const std::string& title, int width, int height) {
   if (!glfwInit())
     throw DeviceError("there is no display to open a window on (" + what_glfw_says() +
                       "); 'dermis render' draws to a file without one");
+  end_on_display_errors();
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
