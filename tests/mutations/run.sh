@@ -37,7 +37,8 @@ quiet cmake -S "$copy" -B "$built" -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
 
 # Without a fault the tests pass, else a failure would say nothing.
-mapfile -t targets < <(for name in "${names[@]}"; do seen_by "$name"; done | sed 's/^\([^ ]*\) .*/test_\1/' | sort -u)
+mapfile -t targets < <(for name in "${names[@]}"; do seen_by "$name"; done |
+  sed 's/^\([^ ]*\) .*/test_\1/' | sort -u)
 quiet build "${targets[@]}"
 for name in "${names[@]}"; do quiet test_of "$name"; done
 
