@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/known_names.h"
 #include "gaussians/exchange.h"
 #include "gaussians/kernel_export.h"
 #include "image/codec.h"
@@ -62,6 +63,13 @@ std::string write_kernel(const gaussians::ExportedKernel& kernel, const ExportOp
 
 }  // namespace
 
+std::vector<std::string_view> export_names() {
+  std::vector<std::string_view> names = gaussians::exchange_names();
+  const auto kernels = gaussians::kernel_names();
+  names.insert(names.end(), kernels.begin(), kernels.end());
+  return names;
+}
+
 bool ExportOptions::is_kernel() const {
   const auto kernels = gaussians::kernel_names();
   return std::find(kernels.begin(), kernels.end(), name) != kernels.end();
@@ -80,15 +88,12 @@ void check_export(const ExportOptions& options) {
     return;
   }
 
-  std::vector<std::string_view> known = gaussians::exchange_names();
-  const bool is_system = std::find(known.begin(), known.end(), options.name) != known.end();
-  const auto kernels = gaussians::kernel_names();
-  known.insert(known.end(), kernels.begin(), kernels.end());
-  if (!options.name.empty() && !is_system)
-    throw input_error("--export", "no system '{}'; known: {}", options.name, fmt::join(known, ", "));
+  const std::vector<std::string_view> known = export_names();
+  if (!options.name.empty() && std::find(known.begin(), known.end(), options.name) == known.end())
+    throw input_error("--export", "{}", unknown_name(options.name, known));
   if (!options.folder.empty() || options.taps)
     throw input_error("--export-to and --export-taps", "go with a kernel alone: --export {}",
-                      fmt::join(kernels, ", "));
+                      fmt::join(gaussians::kernel_names(), ", "));
 }
 
 std::string exported(const Source& source, const Fitted& fitted, const ExportOptions& options) {

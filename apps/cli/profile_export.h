@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/profile_report.h"
 #include "cli/profile_source.h"
@@ -16,6 +18,9 @@ struct ExportOptions {
   std::optional<int> taps;  ///< of a kernel
   bool is_kernel() const;
 };
+
+/// Returns the names of systems and kernels.
+std::vector<std::string_view> export_names();
 
 /// What can be refused before the long work. Throws InputError: an unknown name (lists them), what does not
 /// go with it, a folder that cannot be written.

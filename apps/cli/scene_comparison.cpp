@@ -4,8 +4,6 @@
 #include "api/scene_state.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,6 +18,7 @@
 #include "cli/comparison/turns.h"
 #include "cli/progress.h"
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/log.h"
 #include "dermis/cancelled.h"
 #include "gaussians/one.h"
@@ -376,11 +375,12 @@ class Run {
 }  // namespace
 
 void check_comparison(const SceneComparisonSettings& s) {
-  const std::vector<std::string> known = technique_names();
+  std::vector<std::string> known = technique_names();
   for (const std::string& name : s.techniques)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw input_error("", "--techniques '{}' is not known; there are: all, {}", name,
-                        fmt::join(known, ", "));
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      known.insert(known.begin(), "all");
+      throw input_error("", "--techniques {}", unknown_name(name, known));
+    }
   if (s.supersample < 1 || s.supersample > 16)
     throw input_error("", "--supersample must be 1 to 16, got {}", s.supersample);
   if (!s.render.output.exposure_ev && !s.reference_file.empty())

@@ -12,6 +12,7 @@
 #include "core/cache.h"
 #include "core/error.h"
 #include "core/hooks.h"
+#include "core/known_names.h"
 #include "pigments/maps.h"
 #include "scene/framing.h"
 #include "scene/from_arrays.h"
@@ -63,7 +64,8 @@ builtin_head::Tone tone_of(const std::string& name, std::string_view skin) {
   if (skin == "light") return Tone::light;
   if (skin == "medium") return Tone::medium;
   if (skin == "dark") return Tone::dark;
-  throw input_error(name, "the built-in head has no skin '{}'; known: light, medium, dark", skin);
+  throw input_error(name, "the built-in head has no skin '{}'; {}", skin,
+                    listed_names(skin, {"light", "medium", "dark"}));
 }
 
 std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }

@@ -8,6 +8,7 @@
 
 #include "core/assert.h"
 #include "core/error.h"
+#include "core/known_names.h"
 #include "image/colour.h"
 #include "settings/names.h"
 #include "techniques/mapped_terms.h"
@@ -134,10 +135,10 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
     return;
   }
 
-  std::string names = "picture";
-  for (const auto& [name, shown] : out.shows) names += ", " + name;
-  throw input_error("", "output.show '{}' is not known to this technique; there are: {}",
-                    settings.output.show, names);
+  std::vector<std::string> names{"picture"};
+  for (const auto& [name, shown] : out.shows) names.push_back(name);
+  throw input_error("", "output.show '{}' is not known to this technique; {}", settings.output.show,
+                    listed_names(settings.output.show, names));
 }
 
 void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects,

@@ -13,6 +13,7 @@
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "core/hooks.h"
+#include "core/known_names.h"
 #include "core/log.h"
 #include "gaussians/json.h"
 #include "image/codec.h"
@@ -66,10 +67,10 @@ optics::RgbMedium choose_medium(const std::string& text, const gaussians::SumOfG
   if (text.empty()) return medium_of(profile, eta);
   if (text.find('=') != std::string::npos) return optics::parse_coefficients(text, "medium");
   if (const optics::Material* material = optics::find_material(text)) return material->medium();
-  std::string names;
-  for (const optics::Material& material : optics::jensen_materials())
-    names += (names.empty() ? "" : ", ") + std::string(material.name);
-  throw input_error("", "medium '{}' is neither coefficients nor one of: {}", text, names);
+  std::vector<std::string_view> names;
+  for (const optics::Material& material : optics::jensen_materials()) names.push_back(material.name);
+  throw input_error("", "medium '{}' is neither coefficients nor the name of a material; {}", text,
+                    listed_names(text, names));
 }
 
 /// The skin that light walks in should be closed.

@@ -5,19 +5,12 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/one_line.h"
 #include "scene/limits.h"
 
 namespace dermis::api {
 namespace {
-
-// What follows a name that nothing has: enough to see a typing error, not a page.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 40;
-  if (names.empty()) return "it has none";
-  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most));
-  return fmt::format("it has: {}{}", fmt::join(names.begin(), end, ", "), names.size() > most ? " ..." : "");
-}
 
 const scene::Rig& rig_of(const scene::Scene& asset) {
   if (!asset.rig && !asset.why_no_rig.empty())
@@ -56,7 +49,8 @@ void set_weight(const scene::Scene& asset, const MorphWeight& wanted, scene::Pos
         found = true;
       }
   if (!found)
-    throw input_error(asset.name, "has no morph weight '{}'; {}", wanted.name, listed(morph_names(asset)));
+    throw input_error(asset.name, "has no morph weight '{}'; {}", wanted.name,
+                      listed_names(wanted.name, morph_names(asset)));
 }
 
 std::size_t find_joint(const scene::Scene& asset, const std::string& name) {
@@ -67,7 +61,8 @@ std::size_t find_joint(const scene::Scene& asset, const std::string& name) {
       found = node;
       ++count;
     }
-  if (count == 0) throw input_error(asset.name, "has no joint '{}'; {}", name, listed(joint_names(asset)));
+  if (count == 0)
+    throw input_error(asset.name, "has no joint '{}'; {}", name, listed_names(name, joint_names(asset)));
   if (count > 1) throw input_error(asset.name, "has {} joints of the name '{}'", count, name);
   if (rig.nodes[found].matrix)
     throw input_error(asset.name, "joint '{}' has a matrix in its file and cannot be moved", name);
@@ -98,7 +93,8 @@ void set_joint(const scene::Scene& asset, const JointTransform& wanted, scene::P
 const scene::Clip& clip_called(const scene::Scene& asset, const std::string& name) {
   const std::vector<std::string>& names = asset.clips;
   const auto found = name.empty() ? names.begin() : std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw input_error(asset.name, "has no clip '{}'; {}", name, listed(names));
+  if (found == names.end())
+    throw input_error(asset.name, "has no clip '{}'; {}", name, listed_names(name, names));
   const scene::RigClip& clip = rig_of(asset).clips.at(static_cast<std::size_t>(found - names.begin()));
   if (!clip.error.empty()) throw input_error("", "{}", clip.error);
   return clip.clip;

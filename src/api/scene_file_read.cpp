@@ -5,12 +5,14 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <ranges>
 
 #include "api/rig_pose.h"
 #include "api/scene_file.h"
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/known_names.h"
 #include "gaussians/json.h"
 #include "gaussians/known.h"
 #include "gaussians/scatter_profile.h"
@@ -113,7 +115,7 @@ class Reader {
     const json::Value asset = json.at("asset");
     const auto found = asset_numbers_.find(asset.text());
     if (found == asset_numbers_.end())
-      asset.fail("no asset is called '{}'; {}", asset.text(), known_assets());
+      asset.fail("no asset is called '{}'; {}", asset.text(), known_assets(asset.text()));
 
     const InstanceId id = at_place(json, [&] { return made_.scene.add(instance); });
     made_.asset_of_instance.push_back(found->second);
@@ -134,11 +136,9 @@ class Reader {
     return pose;
   }
 
-  std::string known_assets() const {
-    std::string names;
-    for (const auto& [name, number] : asset_numbers_)
-      if (names.size() < 400) names += fmt::format("{}'{}'", names.empty() ? "there are: " : ", ", name);
-    return names.empty() ? "the file has no assets" : names;
+  std::string known_assets(const std::string& wanted) const {
+    if (asset_numbers_.empty()) return "the file has no assets";
+    return listed_names(wanted, std::views::keys(asset_numbers_));
   }
 
   /// Returns the transform that stands as its parts, if it does.
@@ -191,7 +191,9 @@ class Reader {
       return ids_[json.count(0, ids_.size() - 1)];
     }
     const auto found = ids_by_name_.find(json.text());
-    if (found == ids_by_name_.end()) json.fail("no instance is called '{}'", json.text());
+    if (found == ids_by_name_.end())
+      json.fail("no instance is called '{}'; {}", json.text(),
+                listed_names(json.text(), std::views::keys(ids_by_name_)));
     if (found->second.size() > 1)
       json.fail("{} instances are called '{}'; give the number of one, from 0", found->second.size(),
                 json.text());

@@ -2,14 +2,13 @@
 // Enumerations that people write by name: one table of names for each, from which all else follows.
 #pragma once
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
 
 #include "core/error.h"
+#include "core/known_names.h"
 
 namespace dermis {
 
@@ -26,8 +25,7 @@ std::string_view name_of(Enum value) {
 template <class Enum>
 Enum find_name(std::string_view what, std::string_view name) {
   const auto found = std::find(names_of<Enum>.begin(), names_of<Enum>.end(), name);
-  if (found == names_of<Enum>.end())
-    throw input_error("", "{} '{}' is not known; there are: {}", what, name, fmt::join(names_of<Enum>, ", "));
+  if (found == names_of<Enum>.end()) throw input_error("", "{} {}", what, unknown_name(name, names_of<Enum>));
   return static_cast<Enum>(found - names_of<Enum>.begin());
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/log.h"
 #include "image/codec.h"
 
@@ -64,7 +65,8 @@ Environment from_name_or_file(const std::string& name) {
   if (name == "studio") return studio();
   std::error_code error;
   if (!std::filesystem::exists(name, error))
-    throw input_error(name, "no such environment: neither a file (.hdr, .exr) nor the built-in 'studio'");
+    throw input_error(name, "no such environment: neither a file (.hdr, .exr) nor the built-in 'studio'{}",
+                      did_you_mean(name, {"studio"}));
   return load(name);
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "gaussians/exchange.h"
 #include "profile/burley.h"
 #include "profile/equivalent.h"
@@ -230,7 +229,7 @@ std::string export_text(std::string_view system, const Exported& input) {
     lose(root["lost"], system, input);
     return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   }
-  throw input_error("export", "no system '{}'; known: {}", system, fmt::join(names, ", "));
+  throw input_error("export", "{}", unknown_name(system, names));
 }
 
 }  // namespace dermis::gaussians

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/one_line.h"
 #include "gaussians/exchange.h"
 #include "optics/inversion.h"
@@ -165,11 +164,12 @@ Imported gltf(const std::string& text, const std::string& where) {
 }
 
 [[noreturn]] void no_system(const std::string& text, const std::string& where) {
-  throw input_error(where,
-                    "'{}' names no system; a bare radius could be a mean free path, a diffuse mean free path "
-                    "or Burley's d, in mm, cm or scene units. "
-                    "Start with one of {}, or describe normalised diffusion with mfp_mm, dmfp_mm or shape_mm",
-                    text, fmt::join(exchange_names(), ", "));
+  throw input_error(
+      where,
+      "'{}' names no system; a bare radius could be a mean free path, a diffuse mean free path "
+      "or Burley's d, in mm, cm or scene units. "
+      "Start with a system ({}), or describe normalised diffusion with mfp_mm, dmfp_mm or shape_mm",
+      text, listed_names(text.substr(0, text.find(' ')), exchange_names()));
 }
 
 Imported parse(const std::string& text, const std::string& where) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gaussians/json.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include "core/channels.h"
 #include "core/error.h"
+#include "core/known_names.h"
 #include "gaussians/known.h"
 #include "gaussians/shape_json.h"
 #include "json/document.h"
@@ -127,8 +126,8 @@ SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) return known(name_or_path);
   std::error_code error;
   if (!std::filesystem::exists(name_or_path, error)) {
-    throw input_error("", "profile '{}' is neither a file nor a published name; published are: {}",
-                      name_or_path, fmt::join(names, ", "));
+    throw input_error("", "profile '{}' is neither a file nor a published name; {}", name_or_path,
+                      listed_names(name_or_path, names));
   }
   return load_json(name_or_path, normalise, least);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gaussians/kernel_export.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "gaussians/pre_integrated.h"
 #include "gaussians/screen_kernels.h"
 
@@ -242,7 +241,7 @@ ExportedKernel export_kernel(std::string_view name, const SumOfGaussians& profil
     kernel = pre_integrated_tables(profile);
     widths = {exported_columns, exported_shadow_columns};
   } else {
-    throw input_error("export", "no kernel '{}'; known: {}", name, fmt::join(kernel_names(), ", "));
+    throw input_error("export", "{}", unknown_name(name, kernel_names()));
   }
 
   ExportedKernel exported{.json = json_text(kernel, name, profile.name),

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "gaussians/known.h"
 
-#include <fmt/ranges.h>
-
 #include <string>
 
 #include "core/error.h"
+#include "core/known_names.h"
 
 namespace dermis::gaussians {
 
@@ -25,7 +24,7 @@ std::vector<std::string_view> known_names() { return {"skin"}; }
 
 SumOfGaussians known(std::string_view name) {
   if (name == "skin") return skin_six();
-  throw input_error("", "profile '{}' is not known; known are: {}", name, fmt::join(known_names(), ", "));
+  throw input_error("", "profile {}", unknown_name(name, known_names()));
 }
 
 }  // namespace dermis::gaussians

@@ -5,8 +5,10 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <sstream>
 
 #include "core/error.h"
+#include "core/known_names.h"
 
 namespace dermis::gpu {
 namespace {
@@ -104,6 +106,16 @@ std::string names_of(std::span<const Candidate> candidates) {
   for (std::size_t i = 0; i < candidates.size(); ++i)
     list += fmt::format("{}{}: {}", i ? "; " : "", i, candidates[i].summary.name);
   return list;
+}
+
+// A part of a name is enough to choose a device.
+std::vector<std::string> words_of(std::span<const Candidate> candidates) {
+  std::vector<std::string> words{"best"};
+  for (const Candidate& candidate : candidates) {
+    std::istringstream name(candidate.summary.name);
+    for (std::string word; name >> word;) words.push_back(word);
+  }
+  return words;
 }
 
 const Candidate& usable(const Candidate& candidate) {
@@ -264,7 +276,8 @@ const Candidate& choose(std::span<const Candidate> sorted, const std::string& se
   if (stop == end && error == std::errc{} && index < sorted.size()) return usable(sorted[index]);
   for (const Candidate& candidate : sorted)
     if (lower(candidate.summary.name).find(lower(select)) != std::string::npos) return usable(candidate);
-  throw device_error("no device '{}'; there are: {}", select, names_of(sorted));
+  throw device_error("no device '{}'; there are: {}{}", select, names_of(sorted),
+                     did_you_mean(select, words_of(sorted)));
 }
 
 }  // namespace dermis::gpu

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "json/value.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/known_names.h"
 #include "core/one_line.h"
 
 namespace dermis::json {
@@ -123,7 +122,7 @@ std::vector<std::string> Value::keys() const {
 void Value::only_keys(const std::vector<std::string_view>& known) const {
   for (const std::string& key : keys())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      fail("unknown key '{}'; known are: {}", one_line(key, 80), fmt::join(known, ", "));
+      fail("unknown key '{}'; {}", one_line(key, 80), listed_names(key, known));
 }
 
 std::vector<double> Value::numbers(const char* key, std::size_t size) const {

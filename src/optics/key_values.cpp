@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "optics/key_values.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <charconv>
 #include <sstream>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/known_names.h"
 
 namespace dermis::optics {
 namespace {
@@ -46,10 +45,10 @@ std::map<std::string, Rgb> parse_key_values(const std::string& text, std::initia
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos)
-      throw input_error(where, "expected KEY=VALUE, got '{}'; keys: {}", word, fmt::join(known, ", "));
+      throw input_error(where, "expected KEY=VALUE, got '{}'; {}", word, listed_names(word, known));
     const std::string key = word.substr(0, equals);
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw input_error(where, "unknown key '{}'; known: {}", key, fmt::join(known, ", "));
+      throw input_error(where, "unknown key '{}'; {}", key, listed_names(key, known));
     if (!values.emplace(key, parse_triple(word.substr(equals + 1), where + ": " + key)).second)
       throw input_error(where, "'{}' is given twice", key);
   }

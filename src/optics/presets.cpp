@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "optics/presets.h"
 
-#include <fmt/ranges.h>
-
 #include <limits>
 
 #include "core/error.h"
+#include "core/known_names.h"
 
 namespace dermis::optics {
 namespace {
@@ -68,7 +67,7 @@ const Material* find_material(std::string_view name) {
 }
 
 void unknown_preset(std::string_view name) {
-  throw input_error("preset", "no preset '{}'; known: {}", name, fmt::join(preset_names(), ", "));
+  throw input_error("preset", "{}", unknown_name(name, preset_names()));
 }
 
 }  // namespace dermis::optics

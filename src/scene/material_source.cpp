@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "core/one_line.h"
 #include "core/warnings.h"
 
@@ -23,10 +24,16 @@ bool says_skin(const std::string& name) {
   return lower.find("skin") != std::string::npos;
 }
 
+std::vector<std::string> names_of(const std::vector<MaterialSource>& materials) {
+  std::vector<std::string> names;
+  for (const MaterialSource& m : materials) names.push_back(m.material.name);
+  return names;
+}
+
 std::string quoted_names(const std::vector<MaterialSource>& materials) {
   std::vector<std::string> names;
-  for (const MaterialSource& m : materials)
-    names.push_back(fmt::format("'{}'", one_line(m.material.name, 80)));
+  for (const std::string& name : names_of(materials))
+    names.push_back(fmt::format("'{}'", one_line(name, 80)));
   if (names.size() > 20) names.resize(20);
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -69,8 +76,8 @@ void choose_skin(const std::string& file, const std::string& skin_material,
   if (!skin_material.empty()) {
     choose([&](const MaterialSource& m) { return m.material.name == skin_material; });
     if (!any)
-      throw input_error(file, "no material is called '{}'; there are: {}", skin_material,
-                        quoted_names(materials));
+      throw input_error(file, "no material is called '{}'; {}", skin_material,
+                        listed_names(skin_material, names_of(materials)));
   }
 
   // In this order: what the file says, what the names say, the only material.

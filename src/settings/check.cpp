@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "settings/check.h"
 
+#include <fmt/ranges.h>
+
 #include <cmath>
 
 #include "core/error.h"

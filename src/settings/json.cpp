@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/known_names.h"
 #include "json/document.h"
 #include "settings/fields.h"
 #include "settings/names.h"
@@ -63,8 +64,7 @@ void read(const json::Value& json, const About& about, Value& into) {
     read_object(json, into);
   else if constexpr (std::is_enum_v<Value>) {
     const auto found = std::find(names_of<Value>.begin(), names_of<Value>.end(), json.text());
-    if (found == names_of<Value>.end())
-      json.fail("'{}' is not known; there are: {}", json.text(), fmt::join(names_of<Value>, ", "));
+    if (found == names_of<Value>.end()) json.fail("{}", unknown_name(json.text(), names_of<Value>));
     into = static_cast<Value>(found - names_of<Value>.begin());
   } else if constexpr (std::is_same_v<Value, bool>)
     into = json.boolean();

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "core/error.h"
+#include "core/known_names.h"
 
 namespace dermis::setup {
 
@@ -18,7 +19,8 @@ passes::Behind background_of(const std::string& name) {
   const bool is_colour = name.size() == 7 && name[0] == '#';
   const auto parsed = is_colour ? std::from_chars(name.data() + 1, end, value, 16) : std::from_chars_result{};
   if (!is_colour || parsed.ec != std::errc() || parsed.ptr != end)
-    throw input_error("", "output.background must be black, studio, environment or #RRGGBB, got '{}'", name);
+    throw input_error("", "output.background must be black, studio, environment or #RRGGBB, got '{}'{}", name,
+                      did_you_mean(name, {"black", "studio", "environment"}));
 
   const auto part = [&](unsigned shift) { return static_cast<float>(value >> shift & 255u) / 255.0f; };
   return {.kind = Kind::colour, .srgb = {part(16), part(8), part(0)}};

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "gaussians/json.h"
 #include "gaussians/known.h"
 #include "scene/framing.h"
@@ -48,13 +49,13 @@ scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& s, c
 
   const std::vector<scene::Camera> cameras = placed_cameras(scene);
   if (!s.camera.name.empty()) {
-    std::string names;
+    std::vector<std::string> names;
     for (const scene::Camera& camera : cameras) {
       if (camera.name == s.camera.name) return with_fov(camera);
-      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", camera.name);
+      names.push_back(camera.name);
     }
     throw input_error("", "camera.name '{}' is not in {}; {}", s.camera.name, scene.name,
-                      names.empty() ? "it has no cameras" : "there are: " + names);
+                      names.empty() ? "it has no cameras" : listed_names(s.camera.name, names));
   }
 
   const bool orbits = s.camera.orbit_deg != std::array<double, 2>{0, 0};

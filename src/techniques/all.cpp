@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/known_names.h"
 #include "techniques/burley_disc/burley_disc.h"
 #include "techniques/lambert/lambert.h"
 #include "techniques/pre_integrated/pre_integrated.h"
@@ -29,12 +30,12 @@ constexpr std::array all{
 std::span<const Technique* const> techniques() { return all; }
 
 const Technique& find_technique(std::string_view name) {
-  std::string names;
+  std::vector<std::string_view> names;
   for (const Technique* t : all) {
     if (t->name == name) return *t;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", t->name);
+    names.push_back(t->name);
   }
-  throw input_error("technique", "'{}' is not known; there are: {}", name, names);
+  throw input_error("technique", "{}", unknown_name(name, names));
 }
 
 }  // namespace dermis::techniques

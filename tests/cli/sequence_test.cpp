@@ -206,7 +206,7 @@ TEST_F(Sequence, RefusesWhatMakesNoSense) {
   refuse({"--clip", "turn", "--to", "inf"}, "--to: must be 0 to");
   refuse({"--clip", "turn", "--to", "1e6"}, "more than 1000000 frames");
   refuse({"--clip", "turn", "--from", "2"}, "the clip ends at 2 s");
-  refuse({"--clip", "walk"}, "it has: turn, shift");
+  refuse({"--clip", "walk"}, "there are: turn, shift");
   refuse({"--time", "1"}, "nothing else moves");
   refuse({"--orbit", "20,0", "--time", "1"}, "nothing else moves");
   refuse({"--orbit", "0,0..nan,0"}, "camera.orbit_deg");
@@ -217,7 +217,7 @@ TEST_F(Sequence, RefusesWhatMakesNoSense) {
   refuse({"--orbit", "0,0..90,0", "--distance", "5"}, "--distance replaces");
   refuse({"--orbit", "0,0..90,0", "--camera", "main"}, "--camera replaces");
   refuse({"--orbit", "0,0..90,0", "--eye", "0,0,1", "--target", "0,0,0"}, "camera.orbit_deg");
-  expect_refused(run({"sequence", "--clip", "walk", "-o", in_folder("f-%d.png")}), "it has: life");
+  expect_refused(run({"sequence", "--clip", "walk", "-o", in_folder("f-%d.png")}), "there are: life");
 
   for (const char* range : {"0..90", "0,0..", "..90,0", "0,0.90,0", "0,0..90,0..20,0", "0,0..90,0,3", ""})
     expect_not_understood(sequence("f-%d.png", {"--orbit", range}), "--orbit");

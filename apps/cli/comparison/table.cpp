@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/test_scenes/test_scenes.h"
 #include "core/error.h"
+#include "core/known_names.h"
 #include "dermis/cancelled.h"
 
 namespace dermis::cli::comparison {
@@ -108,9 +109,10 @@ std::vector<std::string> test_scenes_of(const std::vector<std::string>& names) {
 
   for (std::string name : names) {
     if (test_scenes::is_test_scene(name)) name.erase(0, test_scenes::prefix.size());
-    if (std::find(all.begin(), all.end(), name) == all.end())
-      throw input_error("", "--test-scenes '{}' is not known; there are: all, none, {}", name,
-                        fmt::join(all, ", "));
+    if (std::find(all.begin(), all.end(), name) == all.end()) {
+      all.insert(all.begin(), {"all", "none"});
+      throw input_error("", "--test-scenes {}", unknown_name(name, all));
+    }
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(std::move(name));
   }
   return wanted;

@@ -11,6 +11,7 @@
 #include "api/asset_state.h"
 #include "cli/test_scenes/shapes.h"
 #include "core/error.h"
+#include "core/known_names.h"
 #include "scene/framing.h"
 
 namespace dermis::cli::test_scenes {
@@ -184,12 +185,12 @@ constexpr std::array rows{
 };
 
 const Row& row_of(std::string_view name) {
-  std::string names;
+  std::vector<std::string_view> names;
   for (const Row& row : rows) {
     if (row.scene.name == name) return row;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", row.scene.name);
+    names.emplace_back(row.scene.name);
   }
-  throw input_error("", "test scene '{}' is not known; there are: {}", name, names);
+  throw input_error("", "test scene {}", unknown_name(name, names));
 }
 
 }  // namespace

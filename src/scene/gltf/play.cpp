@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/play.h"
+#include "core/known_names.h"
 
 #include <algorithm>
 #include <cmath>
@@ -157,7 +158,7 @@ std::size_t find_animation(const Document& document, const std::string& name) {
   if (name.empty()) return 0;
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw input_error(document.file, "has no animation '{}'; it has: {}", name, fmt::join(names, ", "));
+    throw input_error(document.file, "has no animation '{}'; {}", name, listed_names(name, names));
   return static_cast<std::size_t>(found - names.begin());
 }
 

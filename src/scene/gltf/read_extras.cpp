@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/known_names.h"
 #include "gaussians/json.h"
 #include "gaussians/known.h"
 #include "scene/gltf/document.h"
@@ -55,8 +56,8 @@ gaussians::SumOfGaussians read_profile(const Document& document, const Value& va
   const std::filesystem::path path = document.folder / name;
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
-    value.fail("'{}' is neither a file beside the scene nor a published profile; known are: {}",
-               name.substr(0, 200), fmt::join(known, ", "));
+    value.fail("'{}' is neither a file beside the scene nor a published profile; {}", name.substr(0, 200),
+               listed_names(name, known));
   return gaussians::load_json(path);
 }
 

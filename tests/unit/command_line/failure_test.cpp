@@ -53,5 +53,26 @@ TEST(Failure, OthersAreFailuresToo) {
   EXPECT_EQ(ending_of([] { throw CLI::ExtrasError({"--unknown"}); }).status, 2);
 }
 
+// The word that nothing takes is the reason, also where something else is missing because of it.
+TEST(Failure, AnUnknownOptionIsNamedBeforeAMissingOne) {
+  CLI::App app{"test"};
+  double value = 0;
+  CLI::App* command = app.add_subcommand("draw", "");
+  command->add_option("--output", value)->required();
+  command->add_option("--opacity", value)->group("");
+  for (const auto& [line, says] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"draw --ouput 3", "dermis: draw: there is no option '--ouput'; did you mean '--output'?\n"},
+           {"draw --opacit 3", "dermis: draw: there is no option '--opacit'; --help-all shows all\n"},
+           {"drwa", "dermis: there is no command 'drwa'; there are: draw; did you mean 'draw'?\n"}}) {
+    testing::internal::CaptureStderr();
+    int status = 0;
+    try {
+      app.parse(line);
+    } catch (...) { status = report_failure(app); }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), says);
+    EXPECT_EQ(status, 2);
+  }
+}
+
 }  // namespace
 }  // namespace dermis::cli

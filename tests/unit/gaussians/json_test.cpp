@@ -128,9 +128,9 @@ TEST(ProfileJson, Weights) {
 
 TEST(ProfileJson, Keys) {
   EXPECT_EQ(error_of(two_terms("[1, 2]", good_weights, R"(, "wieghts": 3)")),
-            "p.json: unknown key 'wieghts'; known are: name, model, variances_mm2, weights, "
+            "p.json: unknown key 'wieghts'; there are: name, model, variances_mm2, weights, "
             "error_percent, total_reflectance, "
-            "mean_free_path_mm, diffuse_mean_free_path_mm, medium, shape");
+            "mean_free_path_mm, diffuse_mean_free_path_mm, medium, shape; did you mean 'weights'?");
   EXPECT_EQ(error_of(R"({"weights": [[1,1,1]]})"), "p.json: 'variances_mm2' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1]})"), "p.json: 'weights' is missing");
   EXPECT_EQ(error_of(R"({"variances_mm2": [1], "weights": [[1,1,1]], "variances_mm2": [2]})"),
@@ -170,8 +170,9 @@ TEST(ProfileJson, MediaAndLawsThatNothingCanBeMadeOf) {
   EXPECT_EQ(error_with(R"(, "shape": {})"), "p.json: shape: needs the medium that it is of: \"medium\"");
   EXPECT_EQ(
       error_with(medium + R"(, "shape": {"curvature": 1})"),
-      "p.json: shape: unknown key 'curvature'; known are: curvature_mm, convex_mm, concave_mm, "
-      "difference_mm, difference_mm2, front_share, front_mm, exit_grazing, exit_normal, exit_offset_mm");
+      "p.json: shape: unknown key 'curvature'; there are: curvature_mm, convex_mm, concave_mm, "
+      "difference_mm, difference_mm2, front_share, front_mm, exit_grazing, exit_normal, exit_offset_mm; did "
+      "you mean 'curvature_mm'?");
   EXPECT_EQ(error_with(medium + R"(, "shape": {"curvature_mm": [1, 2, -3]})"),
             "p.json: shape.curvature_mm[2]: must be 0 to 1000000, is -3");
   EXPECT_EQ(error_with(R"(, "medium": {"sigma_a_per_mm": [1, 1, 1]})"),
@@ -231,7 +232,7 @@ TEST(ProfileJson, NameOrFile) {
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "profile 'no_such_profile' is neither a file nor a published name; published are: skin");
+                 "profile 'no_such_profile' is neither a file nor a published name; there are: skin");
   }
   EXPECT_THROW(from_name_or_file(std::filesystem::temp_directory_path().string()), InputError);
 }

@@ -48,7 +48,7 @@ TEST(Known, EveryNameIsKnownAndOthersListThem) {
     known("marble");
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "profile 'marble' is not known; known are: skin");
+    EXPECT_STREQ(error.what(), "profile 'marble' is not known; there are: skin");
   }
 }
 

@@ -190,7 +190,7 @@ TEST_F(Moved, HasClipsByNameAndNumber) {
   EXPECT_EQ(b.load().clips, (std::vector<std::string>{"0", "jump"}));
   expect_near(b.load({.clip = "jump"}).primitives[0].vertices[0].position_m, {0, 3, 0});
   expect_near(b.load({.clip = "0", .time_s = 2.0}).primitives[0].vertices[0].position_m, {2, 0, 0});
-  EXPECT_ERROR(error(1.0, "run"), "has no animation 'run'; it has: 0, jump");
+  EXPECT_ERROR(error(1.0, "run"), "has no animation 'run'; there are: 0, jump");
 }
 
 TEST_F(Moved, CarriesCamerasAndLights) {

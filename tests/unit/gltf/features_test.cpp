@@ -328,7 +328,7 @@ TEST(GltfMaterial, SkinRule) {
   named.skin_material = "Hair";
   EXPECT_EQ(skins(b.load(named)), "Hair ");
   named.skin_material = "Nose";
-  EXPECT_ERROR(b.error(named), "no material is called 'Nose'; there are: 'Eye', 'FaceSkin', 'Hair'");
+  EXPECT_ERROR(b.error(named), "no material is called 'Nose'; there are: Eye, FaceSkin, Hair");
 
   b.json["materials"][0]["extras"] = {{"dermis", {{"skin", true}}}};
   EXPECT_EQ(skins(b.load()), "Eye ");
@@ -377,9 +377,9 @@ TEST(GltfMaterial, DermisExtrasAreStrict) {
 
   EXPECT_ERROR(
       error(R"({"skinn": true})"),
-      "unknown key 'skinn'; known are: skin, profile, mix, specular, roughness, displacement, detail, lobes");
+      "unknown key 'skinn'; there are: skin, profile, mix, specular, roughness, displacement, detail, lobes");
   EXPECT_ERROR(error(R"({"specular": {"texture": 0, "chanel": 1}})"),
-               "unknown key 'chanel'; known are: texture, channel, scale");
+               "unknown key 'chanel'; there are: texture, channel, scale");
   EXPECT_ERROR(error(R"({"displacement": {"texture": 0}})"), "'mm' is missing");
   EXPECT_ERROR(error(R"({"specular": {"texture": 1}})"), "there is no texture 1");
   EXPECT_ERROR(error(R"({"detail": {"scale": 1}})"), "'texture' is missing");
@@ -392,7 +392,7 @@ TEST(GltfMaterial, DermisExtrasAreStrict) {
   EXPECT_ERROR(error(R"({"lobes": [[0, 1]]})"), "must be over 0");
   EXPECT_ERROR(error(R"({"lobes": []})"), "empty array");
 
-  EXPECT_ERROR(error(R"({"profile": "no-such-skin"})"), "known are:");
+  EXPECT_ERROR(error(R"({"profile": "no-such-skin"})"), "there are:");
   EXPECT_ERROR(error(R"({"profile": "/etc/passwd"})"), "relative to the scene");
   EXPECT_ERROR(error(R"({"profile": {"name": "x", "variances_mm2": [-1], "weights": [[1, 1, 1]]}})"),
                "extras.dermis.profile");

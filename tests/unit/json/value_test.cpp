@@ -118,7 +118,7 @@ TEST(JsonValue, MembersAreNamed) {
                   [](const Value& v) {
                     v.only_keys({"size", "b"});
                   }),
-            "a.json: s: unknown key 'siz'; known are: size, b");
+            "a.json: s: unknown key 'siz'; there are: size, b; did you mean 'size'?");
   EXPECT_EQ(error(R"({"s": {"size": [1, 2]}})", [](const Value& v) { v.numbers("size", 3); }),
             "a.json: s.size: must have 3 numbers, has 2");
   EXPECT_EQ(error(R"({"s": {"size": [1, true]}})", [](const Value& v) { v.numbers("size", 0); }),
@@ -137,7 +137,7 @@ TEST(JsonValue, AnErrorIsOneLineWhateverTheTextHolds) {
   EXPECT_EQ(error_of(R"({"a\nb": {"c": 1}})", [](const Value& root) { root.at("a\nb").at("c").text(); }),
             "a.json: a?b.c: must be a string, is number");
   EXPECT_EQ(error_of(R"({"a\nb": 1})", [](const Value& root) { root.only_keys({"c"}); }),
-            "a.json: unknown key 'a?b'; known are: c");
+            "a.json: unknown key 'a?b'; there are: c");
   EXPECT_EQ(error_of(R"(["a\nb"])",
                      [](const Value& root) { root.element(0).fail("no {}", root.element(0).text()); }),
             "a.json: [0]: no a?b");

@@ -160,7 +160,8 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_THROW(run({"--preset", "skin1", "--no-such-option"}), CLI::ParseError);
   EXPECT_THROW(run({"--blend", "0.2"}), CLI::ParseError);
 
-  EXPECT_NE(message_of({"--preset", "skin3"}).find("known: apple, chicken1"), std::string::npos);
+  EXPECT_NE(message_of({"--preset", "skin3"}).find("'skin3' is not known; there are: apple, chicken1"),
+            std::string::npos);
   EXPECT_NE(message_of({"--coefficients", "sigma_a=-1 sigma_s=1"}).find("sigma_a_per_mm must be"),
             std::string::npos);
   EXPECT_NE(message_of({"--coefficients", "sigma_a=1 sigma_s=1 g=1"}).find("g must be"), std::string::npos);
@@ -173,7 +174,7 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
   EXPECT_NE(message_of({"--preset", "skin1", "--variances", "some"}).find("shared, per-channel"),
             std::string::npos);
   EXPECT_NE(
-      message_of({"--preset", "skin1", "--model", "dipole", "--export", "maya"}).find("known: separable"),
+      message_of({"--preset", "skin1", "--model", "dipole", "--export", "maya"}).find("there are: separable"),
       std::string::npos);
 
   EXPECT_NE(message_of({"--layers", path("none.json")}).find("none.json"), std::string::npos);
@@ -199,7 +200,7 @@ TEST_F(ProfileCommand, MistakesEndInTheRightWay) {
 
   std::ofstream(path("layers.json")) << R"([{"sigma_a_per_mm":1,"sigma_s_reduced_per_mm":1,"depth_mm":1}])";
   EXPECT_NE(
-      message_of({"--layers", path("layers.json")}).find("unknown key 'depth_mm'; known are: sigma_a_per_mm"),
+      message_of({"--layers", path("layers.json")}).find("unknown key 'depth_mm'; there are: sigma_a_per_mm"),
       std::string::npos);
   std::ofstream(path("unsorted.csv")) << "r_mm,R,G,B\n1,1,1,1\n0.5,1,1,1\n";
   EXPECT_NE(message_of({"--csv", path("unsorted.csv")}).find("line 3: radii must rise"), std::string::npos);

@@ -204,7 +204,7 @@ TEST(Exchange, AmbiguousImportsAreRefusedWithTheirReadings) {
 
   EXPECT_NE(message_of("a\nb").find("'a?b' names no system"), std::string::npos);
   EXPECT_NE(message_of("separable width=1").find("do not say a profile"), std::string::npos);
-  EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("known: reflectance, scattering_distance"),
+  EXPECT_NE(message_of("unity reflectance=0.5 radius=1").find("there are: reflectance, scattering_distance"),
             std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0 scattering_distance=1").find("above 0"), std::string::npos);
   EXPECT_NE(message_of("unity reflectance=0.5 scattering_distance=-1").find("1e-6 to 1e6 mm"),

@@ -57,7 +57,7 @@ TEST(Media, BadCoefficientsAreNamed) {
   EXPECT_NE(parse("sigma_a=1 sigma_s=1 g=1").find("g must be above -1 and below 1, got 1"),
             std::string::npos);
   EXPECT_NE(parse("sigma_a=1 sigma_s=1 eta=0.9").find("eta must be 1 to 3, got 0.9"), std::string::npos);
-  EXPECT_NE(parse("sigma_a=1 sigma_s=1 sigma_t=2").find("known: sigma_a, sigma_s, g, eta"),
+  EXPECT_NE(parse("sigma_a=1 sigma_s=1 sigma_t=2").find("there are: sigma_a, sigma_s, g, eta"),
             std::string::npos);
   EXPECT_NE(parse("sigma_a=1,2 sigma_s=1").find("one number or three"), std::string::npos);
   EXPECT_NE(parse("sigma_a=nan sigma_s=1").find("sigma_a_per_mm must be"), std::string::npos);
@@ -165,7 +165,7 @@ TEST(Layers, FilesAreCheckedKeyByKey) {
   EXPECT_NE(parse(R"([{"a\nb":1}])").find("unknown key 'a?b'"), std::string::npos);
   EXPECT_NE(parse("{").find("not valid JSON"), std::string::npos);
   EXPECT_NE(parse("{}").find("must be an array"), std::string::npos);
-  EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; known are: sigma_a_per_mm"),
+  EXPECT_NE(parse(R"([{"sigma_a":1}])").find("layer 0: unknown key 'sigma_a'; there are: sigma_a_per_mm"),
             std::string::npos);
   EXPECT_NE(parse(R"([{"eta":1.3,"eta":1.4}])").find("'eta' is given twice"), std::string::npos);
   EXPECT_NE(parse(R"([{"eta":1e999}])").find("skin.json: is not valid JSON: number overflow"),

@@ -205,7 +205,7 @@ TEST(PublicProfile, FilesAreReadBack) {
   check_profile(read);
 
   EXPECT_EQ(load_profile("skin").variances_mm2.size(), 6u);
-  EXPECT_NE(tests::thrown<InputError>([] { load_profile("no-such-profile"); }).find("published are: skin"),
+  EXPECT_NE(tests::thrown<InputError>([] { load_profile("no-such-profile"); }).find("there are: skin"),
             std::string::npos);
   tests::write_text(path, R"({"variances_mm2": [1], "weights": [[1, 2, 1]]})");
   EXPECT_NE(tests::thrown<InputError>([&] { load_profile(path); }).find("weights of green sum to 2"),

@@ -290,7 +290,7 @@ TEST(HostilePoses, AreOneLineAndChangeNothing) {
   using Vector = std::array<double, 3>;
   using Quaternion = std::array<double, 4>;
 
-  refuse({.clip = ClipTime{"run", 0}}, "has no clip 'run'; it has: 0");
+  refuse({.clip = ClipTime{"run", 0}}, "has no clip 'run'; there are: 0");
   refuse({.clip = ClipTime{"0\n1", 0}}, "has no clip");
   refuse({.clip = ClipTime{"", infinite}}, "clip.seconds must be finite, got inf");
   refuse({.clip = ClipTime{"", 0}, .second = ClipTime{"", nan_value}}, "second.seconds must be finite");
@@ -299,11 +299,11 @@ TEST(HostilePoses, AreOneLineAndChangeNothing) {
   refuse({.blend = -infinite}, "blend must be 0 to 1, got -inf");
   refuse({.weights = {{"0", 100.5}}}, "weight '0' must be -100 to 100");
   refuse({.weights = {{"0", -infinite}}}, "weight '0' must be -100 to 100");
-  refuse({.weights = {{"", 1}}}, "has no morph weight ''; it has: 0, 1");
+  refuse({.weights = {{"", 1}}}, "has no morph weight ''; there are: 0, 1");
   refuse(joint({.name = "joint"}), "has 2 joints of the name 'joint'");
   refuse(joint({.name = "fixed"}), "has a matrix in its file and cannot be moved");
-  refuse(joint({.name = ""}), "has no joint ''; it has: ");
-  refuse(joint({.name = "two lines"}), "has no joint 'two lines'; it has: ");
+  refuse(joint({.name = ""}), "has no joint ''; there are: ");
+  refuse(joint({.name = "two lines"}), "has no joint 'two lines'; there are: ");
   refuse(joint({.name = "0", .translation = Vector{1e7, 0, 0}}), "translation of joint '0' must be");
   refuse(joint({.name = "0", .translation = Vector{0, 0, infinite}}), "translation of joint '0' must be");
   refuse(joint({.name = "0", .rotation = Quaternion{0, 0, 0, 0}}), "the length of the rotation");

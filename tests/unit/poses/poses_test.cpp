@@ -157,12 +157,13 @@ TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
     EXPECT_EQ(said.find('\n'), std::string::npos);
     return said;
   };
-  EXPECT_ERROR(error({.clip = ClipTime{"run", 1}}), "has no clip 'run'; it has: performance");
+  EXPECT_ERROR(error({.clip = ClipTime{"run", 1}}), "has no clip 'run'; there are: performance");
   EXPECT_ERROR(error({.clip = ClipTime{"", nan}}), "clip.seconds must be finite, got nan");
   EXPECT_ERROR(error({.blend = nan}), "blend must be 0 to 1, got nan");
-  EXPECT_ERROR(error({.weights = {{"smile", 1}}}), "has no morph weight 'smile'; it has: eye-left-closure");
+  EXPECT_ERROR(error({.weights = {{"smile", 1}}}),
+               "has no morph weight 'smile'; there are: eye-left-closure");
   EXPECT_ERROR(error({.weights = {{"mouth-open", nan}}}), "weight 'mouth-open' must be -100 to 100, got nan");
-  EXPECT_ERROR(error({.joints = {{.name = "tail"}}}), "has no joint 'tail'; it has: ");
+  EXPECT_ERROR(error({.joints = {{.name = "tail"}}}), "has no joint 'tail'; there are: ");
   const std::string joint = asset.joints().front();
   EXPECT_ERROR(error({.joints = {{.name = joint, .rotation = std::array{0.0, 0.0, 0.0, 0.0}}}}),
                "over 0, got 0");

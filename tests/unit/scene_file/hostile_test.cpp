@@ -130,7 +130,7 @@ TEST(HostileSceneFile, TheTop) {
   refuse(R"({"dermis_scene": 2, "instances": []})", "newer than this program");
   refuse(R"({"dermis_scene": 1e300, "instances": []})", "dermis_scene");
   refuse(R"({"dermis_scene": 1, "dermis_scene": 1, "instances": []})", "given twice");
-  refuse(with(R"("instances": [], "cameras": [])"), "unknown key 'cameras'; known are: dermis_scene, assets");
+  refuse(with(R"("instances": [], "cameras": [])"), "unknown key 'cameras'; there are: dermis_scene, assets");
   refuse(with(R"("instances": {})"), "instances: must be an array");
   refuse(with(R"("instances": [[]])"), "instances[0]: must be an object");
   refuse(with(R"("instances": [], "environment": 3)"), "environment: must be a string");
@@ -163,7 +163,7 @@ TEST(HostileSceneFile, Assets) {
 TEST(HostileSceneFile, Instances) {
   refuse(with(R"("instances": [{}])"), "instances[0]: 'asset' is missing");
   refuse(with(R"("instances": [{"asset": "x"}])"), "no asset is called 'x'; the file has no assets");
-  refuse(with(R"("assets": [{"file": "a.glb"}], "instances": [{"asset": "x"}])"), "there are: 'a.glb'");
+  refuse(with(R"("assets": [{"file": "a.glb"}], "instances": [{"asset": "x"}])"), "there are: a.glb");
   refuse(one(R"("instances": [])"), "unknown key 'instances'");
   refuse(one(R"("visible": 1)"), "instances[1].visible: must be true or false");
   refuse(one(R"("mix": 2)"), "instances[1]: mix must be 0 to 1, got 2");
