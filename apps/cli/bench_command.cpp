@@ -13,9 +13,10 @@
 #include "cli/bench/recorded.h"
 #include "cli/bench/technique_grid.h"
 #include "cli/command.h"
-#include "cli/commit.h"
+#include "cli/help.h"
 #include "cli/output.h"
 #include "cli/progress.h"
+#include "cli/version.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "setup/frame_setup.h"
@@ -189,6 +190,43 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   exit_status = 1;
 }
 
+void add_cells(CLI::App& command, BenchArguments& a) {
+  const char* group = "Cells";
+  command.add_option("--heads", a.heads, "numbers of heads in a row, 1.6 radii apart")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("N,N,..")
+      ->default_str(fmt::format("{}", fmt::join(a.heads, ",")))
+      ->group(group);
+  command
+      .add_option("--distances", a.distances,
+                  "from the eye to the middle head, in radii of its bounding sphere")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("D,D,..")
+      ->default_str(fmt::format("{}", fmt::join(a.distances, ",")))
+      ->group(group);
+
+  rare(command
+           .add_option("--rounds", a.rounds,
+                       "times that each variant is drawn, in turns, after it has warmed up")
+           ->group(group));
+  rare(command
+           .add_option("--picture-samples", a.picture_samples,
+                       "super-samples along each axis for the difference of the pictures; 0: no difference")
+           ->group(group));
+
+  command
+      .add_option("--techniques", a.techniques,
+                  "columns are techniques (all, or names of `render --technique`) instead of the paper's "
+                  "optimisations: where does one overtake another?")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("all|" + one_of(technique_names()))
+      ->default_str("")
+      ->group(group);
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, int& exit_status) {
@@ -209,50 +247,22 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   command->get_option("--profile")->description("diffusion profile: a published name or a JSON file");
   command->get_option("--fov")->description("vertical field of view, degrees")->default_str("20");
 
-  command->add_option("--heads", a->heads, "numbers of heads in a row, 1.6 radii apart")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("N,N,..")
-      ->default_str(fmt::format("{}", fmt::join(a->heads, ",")))
-      ->group("Cells");
-  command
-      ->add_option("--distances", a->distances,
-                   "from the eye to the middle head, in radii of its bounding sphere")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("D,D,..")
-      ->default_str(fmt::format("{}", fmt::join(a->distances, ",")))
-      ->group("Cells");
-
-  command
-      ->add_option("--rounds", a->rounds,
-                   "times that each variant is drawn, in turns, after it has warmed up")
-      ->group("Cells");
-  command
-      ->add_option("--picture-samples", a->picture_samples,
-                   "super-samples along each axis for the difference of the pictures; 0: no difference")
-      ->group("Cells");
-
-  command
-      ->add_option("--techniques", a->techniques,
-                   "columns are techniques (all, or names of `render --technique`) instead of the paper's "
-                   "optimisations: where does one overtake another?")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME,NAME,..")
-      ->default_str("")
-      ->group("Cells");
+  add_cells(*command, *a);
   command->add_flag("--quick", a->quick,
                     "for a first look, where not given: 360x225 pixels, maps of 384, 1 and 4 heads, 3 "
                     "distances, 3 rounds, 2 super-samples");
-  command->add_option("--json", a->json, "write the results as JSON, - for standard output");
-  command->add_option(
-      "--html", a->html,
-      "write a page: tables, curves, bars of passes, pictures of every cell under a slider; one file");
+  command->add_option("--json", a->json, "write the results as JSON, - for standard output")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--html", a->html,
+          "write a page: tables, curves, bars of passes, pictures of every cell under a slider; one file")
+      ->type_name("FILE");
   add_device_option(*command, a->device);
-  command->add_option("--frames-memory", a->frames_mb,
-                      "device memory for frames that wait for their turn, MB; those beyond are made anew "
-                      "each time (default: half of it)");
+  rare(
+      command->add_option("--frames-memory", a->frames_mb,
+                          "device memory for frames that wait for their turn, MB; those beyond are made anew "
+                          "each time (default: half of it)"));
 
   command
       ->add_option("--compare", a->compare,

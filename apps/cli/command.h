@@ -72,6 +72,16 @@ struct DeviceArguments {
 /// --device and --validate.
 void add_device_arguments(CLI::App& command, DeviceArguments& arguments);
 CLI::Option* add_device_option(CLI::App& command, std::string& device);
+
+/// What the viewer is asked for.
+struct ViewArguments : SceneArguments {
+  DeviceArguments on;
+  bool scripted = false, live_shaders = false;
+  std::string window = "1280x800";
+};
+/// Adds the command `view` with its options, for the viewer's program and for the one that starts it.
+CLI::App* add_view_options(CLI::App& app, ViewArguments& arguments);
+
 /// Prints what the validation layer has said; returns whether it has said something.
 bool tell_validation_messages(const Renderer& renderer);
 /// What --save-settings writes, and a result holds under `settings`.

@@ -66,19 +66,6 @@ std::vector<std::string> join_lists(const std::vector<std::string>& arguments) {
   return joined;
 }
 
-std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
-  std::string text = CLI::Formatter::make_option_opts(option);
-  const auto remove = [&text](const std::string& part) {
-    if (const std::size_t at = text.find(part); at != std::string::npos) text.erase(at, part.size());
-  };
-
-  // The name of the type shows commas and pairs; what may be repeated says so in its description.
-  if (option->get_delimiter() != '\0' || !option->get_allow_extra_args()) remove(" ...");
-  if (option->get_type_name().find_first_of(", ") != std::string::npos)
-    remove(" x " + std::to_string(option->get_expected()));
-  return text;
-}
-
 CLI::Option* add_count(CLI::App& command, const std::string& name, std::uint64_t& value,
                        const std::string& help, const std::string& range) {
   const auto read = [&value, name, range](const std::string& text) {

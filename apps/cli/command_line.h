@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How the command line is read and shown, where that differs from what CLI11 does by itself.
+/// How the command line is read, where that differs from what CLI11 does by itself.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,13 +17,6 @@ std::vector<std::string> join_lists(const std::vector<std::string>& arguments);
 
 /// Returns a word as a shell takes it.
 std::string quoted(std::string_view word);
-
-/// Shows an option as it is to be typed. CLI11 adds "..." to whatever holds several values and "x 2" to
-/// pairs, also where a comma parts them or where the option has to be repeated.
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_option_opts(const CLI::Option* option) const override;
-};
 
 /// Adds an option for a whole number. CLI11 reads -1 as 2^64 - 1, and takes what is too large for something
 /// else; here both cannot be parsed, and the message says `range`.

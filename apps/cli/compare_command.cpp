@@ -9,9 +9,11 @@
 #include "cli/command.h"
 #include "cli/compare_page.h"
 #include "cli/comparison/table.h"
+#include "cli/help.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/scene_comparison.h"
+#include "cli/test_scenes/test_scenes.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "image/codec.h"
@@ -200,20 +202,22 @@ void add_table_options(CLI::App& command, CompareArguments& a) {
                     "compare over sizes, distances and test scenes, and say in words where each "
                     "technique is the right choice")
           ->group(group);
-  const auto add = [&](const char* name, auto& values, const char* type, const std::string& preset,
+  const auto add = [&](const char* name, auto& values, const std::string& type, const std::string& preset,
                        const char* help) {
-    command.add_option(name, values, help)
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name(type)
-        ->default_str(preset)
-        ->needs(table)
-        ->group(group);
+    rare(command.add_option(name, values, help)
+             ->delimiter(',')
+             ->allow_extra_args(false)
+             ->type_name(type)
+             ->default_str(preset)
+             ->needs(table)
+             ->group(group));
   };
   add("--sizes", a.sizes, "WxH,..", fmt::format("{}", fmt::join(a.sizes, ",")), "of pictures, pixels");
   add("--distances", a.distances, "D,..", fmt::format("{}", fmt::join(a.distances, ",")),
       "from the eye to the head, in radii of its bounding sphere");
-  add("--test-scenes", a.test_scenes, "NAME,..", "all",
+  std::vector<std::string> scenes{"all", "none"};
+  for (const test_scenes::TestScene& scene : test_scenes::all()) scenes.emplace_back(scene.name);
+  add("--test-scenes", a.test_scenes, one_of(scenes), "all",
       "all, none, or names: scenes for what techniques cannot do, at the smallest of the sizes "
       "(docs/peers.md)");
 }
@@ -232,25 +236,25 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
   command.add_option("--techniques", s.techniques, "all, or some of the list of `render --technique`")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("NAME,NAME,..")
+      ->type_name("all|" + one_of(technique_names()))
       ->default_str("all")
       ->group(group);
-  command
-      .add_flag("--each-optimisation", s.each_optimisation,
-                "further rows: nothing optimised, cull, depth and clip by themselves, all of them, and these "
-                "with a cascade of blurs and shading in compute")
-      ->group(group);
-  command
-      .add_option(
-          "--supersample", s.supersample,
-          "errors are of pictures this many times as wide and as high, averaged; times stay those of --size")
-      ->group(group);
-  command
-      .add_flag(
-          "--curves", s.curves,
-          "further frames of each technique with its own quality settings (taps, kernels, maps): a curve of "
-          "error over cost")
-      ->group(group);
+  rare(command
+           .add_flag("--each-optimisation", s.each_optimisation,
+                     "further rows: nothing optimised, cull, depth and clip by themselves, all of them, and "
+                     "these with a cascade of blurs and shading in compute")
+           ->group(group));
+  rare(command
+           .add_option("--supersample", s.supersample,
+                       "errors are of pictures this many times as wide and as high, averaged; times stay "
+                       "those of --size")
+           ->group(group));
+  rare(
+      command
+          .add_flag("--curves", s.curves,
+                    "further frames of each technique with its own quality settings (taps, kernels, maps): a "
+                    "curve of error over cost")
+          ->group(group));
   add_device_option(command, s.device)->group(group);
   add_table_options(command, a);
 
@@ -258,12 +262,14 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
       command
           .add_option("--reference", s.reference_file,
                       "a picture of `dermis reference` instead of rendering it: EXR of the same size")
+          ->type_name("FILE")
           ->group(truth_group);
-  command
-      .add_option("--variance", s.variance_file,
-                  "EXR: the variance of --reference, to say what its noise adds")
-      ->needs(file)
-      ->group(truth_group);
+  rare(command
+           .add_option("--variance", s.variance_file,
+                       "EXR: the variance of --reference, to say what its noise adds")
+           ->type_name("FILE")
+           ->needs(file)
+           ->group(truth_group));
 
   // Tie what was added here to --scene, except what suits two pictures, too.
   CLI::Option* scene = command.get_option("--scene");
@@ -283,18 +289,25 @@ void add_compare_command(CLI::App& app, int&) {
   auto arguments = std::make_shared<CompareArguments>();
   command->option_defaults()->always_capture_default();
 
-  command->add_option("A", arguments->a, "the reference: PNG or JPEG, or EXR or HDR");
-  command->add_option("B", arguments->b, "what is compared with it: of the same size, and linear if A is");
-  command->add_option("--json", arguments->json, "write the figures as JSON, - for standard output");
-  command->add_option("--html", arguments->html,
-                      "write a page: side by side, slider, map of errors, table; one file");
-  command->add_option("--region", arguments->region,
-                      "PNG of the same size: only pixels that are not black there count");
+  command->add_option("A", arguments->a, "the reference: PNG or JPEG, or EXR or HDR")->type_name("FILE");
+  command->add_option("B", arguments->b, "what is compared with it: of the same size, and linear if A is")
+      ->type_name("FILE");
+  command->add_option("--json", arguments->json, "write the figures as JSON, - for standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--html", arguments->html,
+                   "write a page: side by side, slider, map of errors, table; one file")
+      ->type_name("FILE");
+  command
+      ->add_option("--region", arguments->region,
+                   "PNG of the same size: only pixels that are not black there count")
+      ->type_name("FILE");
   command
       ->add_option("--z", arguments->variances,
                    "EXR: variance of each pixel of A or B (squared standard error); how much of the "
                    "difference is noise; up to 2 times")
       ->allow_extra_args(false)
+      ->type_name("FILE")
       ->default_str("");
 
   add_scene_options(*command, *arguments);

@@ -7,15 +7,14 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/failure.h"
+#include "cli/help.h"
 #include "cli/profile_command.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"dermis: human skin in real time, and what it costs"};
+  dermis::cli::set_up_help(app);
   app.set_version_flag("--version", DERMIS_VERSION);
   app.require_subcommand(1);
-  app.formatter(std::make_shared<dermis::cli::HelpFormatter>());
-  app.get_formatter()->column_width(38);
-  app.option_defaults()->always_capture_default();
 
   for (int i = 0; i < argc; ++i) dermis::cli::command_line() += (i ? " " : "") + dermis::cli::quoted(argv[i]);
   int exit_status = 0;

@@ -15,7 +15,7 @@ void add_plan_command(CLI::App& app, int&) {
   auto output = std::make_shared<std::string>("-");
   add_scene_arguments(*command, *arguments, SceneUse::plan);
   command->add_flag("--dot", *dot, "for Graphviz");
-  command->add_option("-o,--output", *output, "file, or - for standard output");
+  command->add_option("-o,--output", *output, "file, or - for standard output")->type_name("FILE");
   command->callback([=] {
     check_scene_output(*arguments, {*output});
     const Scene scene = open_scene(*arguments);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/help.h"
 #include "cli/output.h"
 #include "cli/profile_export.h"
 #include "cli/profile_report.h"
@@ -16,8 +17,10 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/hooks.h"
+#include "core/known_names.h"
 #include "gaussians/known.h"
 #include "image/codec.h"
+#include "optics/presets.h"
 #include "optics/skin_colour.h"
 #include "profile/spectral.h"
 #include "settings/check.h"
@@ -75,7 +78,7 @@ void check_files(const ProfileArguments& options) {
 void check(const ProfileArguments& options) {
   check_ranges(options.source.profile);
   if (options.variances != "shared" && options.variances != "per-channel")
-    throw input_error("--variances", "'{}' is not known; known: shared, per-channel", options.variances);
+    throw input_error("--variances", "{}", unknown_name(options.variances, {"shared", "per-channel"}));
   for (const std::string& picture :
        {options.plot, options.swatches, options.source.melanin_map, options.source.haemoglobin_map})
     if (picture == "-") throw input_error("--plot, --swatches and maps", "need a file, not standard output");
@@ -120,11 +123,12 @@ constexpr const char* source_group = "Source (exactly one)";
 
 /// An option given without content is a slip (an unset variable of a script), not an option that was left
 /// out.
-CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value,
+CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& value, const std::string& type,
                       const std::string& help) {
-  return command.add_option(name, value, help)->check([](const std::string& text) {
+  const auto check = [](const std::string& text) {
     return text.empty() ? std::string("must not be empty") : std::string();
-  });
+  };
+  return command.add_option(name, value, help)->check(check)->type_name(type);
 }
 
 /// The members of spectral skin: melanin makes it a source, the others refine it, or the skin of a colour.
@@ -144,54 +148,56 @@ void add_skin_options(CLI::App& command, SourceOptions& source) {
 
     std::string names = "--" + spelt;
     if (name == "haemoglobin") names += ",--haemoglobin";  // the other spelling, too
-    command
-        .add_option_function<double>(
-            names, [&source, &value, name](double given) { value = given, source.given.insert(name); }, help)
-        ->group(is_melanin ? source_group : refining);
+    const auto read = [&source, &value, name](double given) { value = given, source.given.insert(name); };
+    file_under(is_melanin ? source_group : refining, field.about,
+               command.add_option_function<double>(names, read, help));
   };
   std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<SpectralSkin>);
-  command
-      .add_option("--oiliness", source.oiliness,
-                  "strength of the surface reflection, 0 to 1 (default 0.3); changes colours (--colour, "
-                  "--swatches), not the profile")
-      ->group(refining);
+  rare(command
+           .add_option("--oiliness", source.oiliness,
+                       "strength of the surface reflection, 0 to 1 (default 0.3); changes colours (--colour, "
+                       "--swatches), not the profile")
+           ->group(refining));
 }
 
 void add_source_options(CLI::App& command, SourceOptions& source) {
-  const auto add = [&](const char* name, std::string& value, const char* help) {
-    add_text(command, name, value, help)->group(source_group);
+  const auto add = [&](const char* name, std::string& value, const std::string& type, const char* help) {
+    add_text(command, name, value, type, help)->group(source_group);
   };
 
-  add("--preset", source.preset,
-      "a measured material: skin1, skin2, marble, ..., or skin-layers (an unknown name lists all)");
-  add("--coefficients", source.coefficients, "\"sigma_a=R,G,B sigma_s=R,G,B g=0 eta=1.4\", per mm");
-  add("--layers", source.layers,
+  add("--preset", source.preset, one_of(optics::preset_names()), "a measured material");
+  add("--coefficients", source.coefficients, "TEXT", "\"sigma_a=R,G,B sigma_s=R,G,B g=0 eta=1.4\", per mm");
+  add("--layers", source.layers, "FILE",
       "JSON list of {sigma_a_per_mm, sigma_s_reduced_per_mm, eta, thickness_mm}, from the surface down");
-  add("--colour,--color", source.colour, "the skin nearest to \"#rrggbb\" (sRGB) or \"L,a,b\" (CIELAB)");
-  add("--head", source.head,
+  add("--colour,--color", source.colour, "COLOUR",
+      "the skin nearest to \"#rrggbb\" (sRGB) or \"L,a,b\" (CIELAB)");
+  add("--head", source.head, "FILE",
       "glTF head: the mean skin of its colour map; --melanin-map and --haemoglobin-map write that of each "
       "texel");
-  add("--burley", source.burley,
+  add("--burley", source.burley, "TEXT",
       "\"reflectance=R,G,B mfp_mm=R,G,B\" (or dmfp_mm, or shape_mm): normalised diffusion");
-  add("--csv", source.csv, "table with the header r_mm,R,G,B; mm and 1/mm^2");
-  add("--import", source.import, import_help);
+  add("--csv", source.csv, "FILE", "table with the header r_mm,R,G,B; mm and 1/mm^2");
+  add("--import", source.import, "TEXT", import_help);
 
   add_skin_options(command, source);
-  const auto add_of_head = [&](const char* name, std::string& value, const char* help) {
-    add_text(command, name, value, help)->group("Head (with --head)");
+  const auto add_of_head = [&](const char* name, std::string& value, const char* type, const char* help) {
+    add_text(command, name, value, type, help)->group("Head (with --head)");
   };
-  add_of_head("--skin", source.skin_material, "the material that is skin, as 'render' takes it");
+  add_of_head("--skin", source.skin_material, "NAME", "the material that is skin, as 'render' takes it");
   add_of_head(
-      "--melanin-map", source.melanin_map,
+      "--melanin-map", source.melanin_map, "FILE",
       "PNG to write: 0 to 255 are fractions of 0.0005 to 0.5, evenly in their logarithms; 'render' takes it");
-  add_of_head("--haemoglobin-map", source.haemoglobin_map, "the same of blood, 0.0005 to 0.1");
+  add_of_head("--haemoglobin-map", source.haemoglobin_map, "FILE", "the same of blood, 0.0005 to 0.1");
   for_each_setting(source.profile,
                    [&](const std::string&, const About& about, auto& value, std::string_view) {
                      CLI::Option* option = AddOption{command}("--" + std::string(about.option), about, value);
                      if (!range_text(about).empty()) option->description(help_with_range(about));
+                     file_under("Options", about, option);
                    });
-  command.add_option("--cache", source.cache,
-                     "Monte-Carlo: folder that keeps results (default: none are kept)");
+  rare(command
+           .add_option("--cache", source.cache,
+                       "Monte-Carlo: folder that keeps results (default: none are kept)")
+           ->type_name("FOLDER"));
 }
 
 }  // namespace
@@ -202,29 +208,30 @@ void add_profile_command(CLI::App& app, int&) {
   auto options = std::make_shared<ProfileArguments>();
   add_source_options(*command, options->source);
 
-  command
-      ->add_option("--variances", options->variances,
-                   "shared (one set for three channels, what render takes) or per-channel")
-      ->capture_default_str();
+  rare(command
+           ->add_option("--variances", options->variances,
+                        "shared (one set for three channels, what render takes) or per-channel")
+           ->type_name("shared|per-channel")
+           ->capture_default_str());
 
-  add_text(*command, "-o,--output", options->output, "the profile as JSON; - for standard output");
-  add_text(*command, "--plot", options->plot,
+  add_text(*command, "-o,--output", options->output, "FILE", "the profile as JSON; - for standard output");
+  add_text(*command, "--plot", options->plot, "FILE",
            "SVG: r R(r) and the fit per channel, the residual, and light that bleeds from a white edge");
   command
       ->add_option("--compare", options->compare,
                    "published sum or profile file to draw and measure beside; up to 3 times")
+      ->type_name("skin|FILE")
       ->allow_extra_args(false)
       ->default_str("");
-  add_text(*command, "--export", options->exports.name,
-           "print the parameters of another system as JSON instead of the table: separable, unity, unreal, "
-           "gltf, openpbr or cycles; or a kernel: separable-kernel, burley-disc, pre-integrated-tables");
-  add_text(*command, "--export-to", options->exports.folder,
-           "folder for a kernel's files in place of printing it: JSON, arrays of C and GLSL, EXR");
-  command->add_option(
+  add_text(*command, "--export", options->exports.name, one_of(export_names()),
+           "print the parameters of another system, or a kernel, as JSON instead of the table");
+  rare(add_text(*command, "--export-to", options->exports.folder, "FOLDER",
+                "folder for a kernel's files in place of printing it: JSON, arrays of C and GLSL, EXR"));
+  rare(command->add_option(
       "--export-taps", options->exports.taps,
-      "of a kernel: separable-kernel 3 to 33, odd (default 25); burley-disc 1 to 4096 (default 64)");
-  add_text(*command, "--swatches", options->swatches,
-           "PNG: colours of spectral skin, melanin to the right, hemoglobin downwards");
+      "of a kernel: separable-kernel 3 to 33, odd (default 25); burley-disc 1 to 4096 (default 64)"));
+  rare(add_text(*command, "--swatches", options->swatches, "FILE",
+                "PNG: colours of spectral skin, melanin to the right, hemoglobin downwards"));
 
   command->callback([options] { run(*options); });
 }

@@ -137,9 +137,12 @@ void add_reference_command(CLI::App& app, int& exit_status) {
   a->settings.output.width = a->settings.output.height = 512;
   add_scene_arguments(*command, *a, SceneUse::reference);
   command->add_option("-o,--output", a->output, "picture to write: .exr (linear) or .png (display values)")
+      ->type_name("FILE")
       ->required();
-  command->add_option("--variance", a->variance, "write the variance of each value of the picture, .exr");
-  command->add_option("--stats", a->stats, "write statistics as JSON, - for standard output");
+  command->add_option("--variance", a->variance, "write the variance of each value of the picture, .exr")
+      ->type_name("FILE");
+  command->add_option("--stats", a->stats, "write statistics as JSON, - for standard output")
+      ->type_name("FILE");
   command->add_flag("--resume", a->resume, "go on from OUTPUT.resume, which a stopped run leaves")
       ->group(truth_group);
   command->callback([a, &exit_status] { run(*a, exit_status); });

@@ -88,8 +88,10 @@ void add_render_command(CLI::App& app, int& exit_status) {
   command
       ->add_option("-o,--output", arguments->output,
                    "picture to write: .png (display values) or .exr (linear)")
+      ->type_name("FILE")
       ->required();
-  command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output");
+  command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output")
+      ->type_name("FILE");
   add_device_arguments(*command, arguments->on);
   command->callback([arguments, &exit_status] { render(*arguments, exit_status); });
 }

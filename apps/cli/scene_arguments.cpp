@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,16 +10,21 @@
 #include "api/scene_file.h"
 #include "cli/brief_log.h"
 #include "cli/command.h"
+#include "cli/help.h"
 #include "cli/progress.h"
 #include "cli/settings_options.h"
 #include "cli/test_scenes/test_scenes.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/known_names.h"
+#include "optics/presets.h"
 #include "settings/fields.h"
 #include "settings/json.h"
 
 namespace dermis::cli {
 namespace {
+
+constexpr const char* scene_type = "FILE|built-in|built-in:light|built-in:medium|built-in:dark";
 
 // "built-in", "built-in:light"; nothing is the built-in head, too.
 bool is_built_in(std::string_view name) {
@@ -83,20 +88,29 @@ void add_size(CLI::App& command, OutputSettings& output) {
       ->default_str(fmt::format("{}x{}", output.width, output.height));
 }
 
+// Of the first that is not known; else all or none stand beside others.
+std::string unknown_optimisation(const std::vector<std::string>& given,
+                                 const std::vector<std::string>& names) {
+  for (const std::string& name : given)
+    if (std::find(names.begin(), names.end(), name) == names.end()) return unknown_name(name, names);
+  return "all and none stand alone";
+}
+
 void add_optimise(CLI::App& command, QualitySettings& quality) {
-  std::string names, help;
+  std::vector<std::string> names{"all", "none"};
+  std::string help;
   for_each_optimisation(quality, [&](const std::string& name, const About& about, const bool&) {
-    names += (names.empty() ? "" : ",") + name;
+    names.push_back(name);
     help += fmt::format("{} ({}), ", about.help, name);
   });
   const auto read = [&quality, names](const std::vector<std::string>& given) {
     if (!parse_optimise(given, quality))
-      throw CLI::ValidationError("--optimise", "expected all, none, or some of " + names);
+      throw CLI::ValidationError("--optimise", unknown_optimisation(given, names));
   };
   command.add_option_function<std::vector<std::string>>("--optimise", read, help + "all, or none")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->type_name("NAME,NAME,..")
+      ->type_name(one_of(names))
       ->default_str("all");
 }
 
@@ -165,7 +179,7 @@ void add_settings(CLI::App& command, RenderSettings& s, SceneUse use) {
           add_lights(command, s.lighting, about);
         else
           AddOption{command}(name, about, value);
-        command.get_option(name)->group(section.empty() ? "Technique" : std::string(section));
+        file_under(section.empty() ? "Technique" : std::string(section), about, command.get_option(name));
       });
 }
 
@@ -179,16 +193,17 @@ void add_settings_files(CLI::App& command, SceneArguments& arguments) {
     // Where no truth is computed, what the file says of it is left alone.
     if (arguments.reference) *arguments.reference = *file.reference;
   };
-  command
-      .add_option_function<std::string>(
-          "--settings", read,
-          "JSON written by --save-settings, or by hand; options that are given win over it")
-      ->type_name("FILE")
-      ->default_str("")
-      ->group("Settings");
-  command.add_option("--save-settings", arguments.save_settings, "write the settings of this run as JSON")
-      ->type_name("FILE")
-      ->group("Settings");
+  rare(command
+           .add_option_function<std::string>(
+               "--settings", read,
+               "JSON written by --save-settings, or by hand; options that are given win over it")
+           ->type_name("FILE")
+           ->default_str("")
+           ->group("Settings"));
+  rare(command
+           .add_option("--save-settings", arguments.save_settings, "write the settings of this run as JSON")
+           ->type_name("FILE")
+           ->group("Settings"));
 }
 
 void add_scene(CLI::App& command, SceneArguments& arguments) {
@@ -197,11 +212,13 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
         .add_option("--scene", arguments.scene,
                     "techniques against ground truth: a .gltf, .glb or scene file, 'built-in' for the "
                     "built-in head, or a test scene, 'test:NAME' (docs/peers.md)")
+        ->type_name(scene_type)
         ->group("Scene");
     return;
   }
   if (arguments.use == SceneUse::bench) {
-    command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head");
+    command.add_option("SCENE", arguments.scene, ".gltf or .glb file; without one, the built-in head")
+        ->type_name(scene_type);
     return;
   }
 
@@ -210,27 +227,25 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
           "SCENE", arguments.scenes,
           "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each other; "
           "'built-in', or nothing: the built-in head, also built-in:light and built-in:dark; 'test:NAME': a "
-          "test "
-          "scene (docs/peers.md)")
+          "test scene (docs/peers.md)")
+      ->type_name(scene_type)
       ->default_str("");
   const auto read = [&arguments](const std::string& name) {
     arguments.layout = find_name<Layout>("--layout", name);
   };
-  command
-      .add_option_function<std::string>(
-          "--layout", read,
-          fmt::format(
-              "of several files: {}, 1.6 radii of the larger neighbour apart. Their own lights have no "
-              "common world and are left out: without a word of the lights, the rig stands around all",
-              fmt::join(names_of<Layout>, ", ")))
-      ->type_name("NAME")
-      ->default_str("row")
-      ->group("Scene");
-  command
-      .add_option("--save-scene", arguments.save_scene,
-                  "write the scene of this run, files and where they stand, as a scene file")
-      ->type_name("FILE")
-      ->group("Scene");
+  rare(command
+           .add_option_function<std::string>(
+               "--layout", read,
+               "how several files stand, 1.6 radii of the larger neighbour apart. Their own lights have no "
+               "common world and are left out: without a word of the lights, the rig stands around all")
+           ->type_name(one_of(names_of<Layout>))
+           ->default_str("row")
+           ->group("Scene"));
+  rare(command
+           .add_option("--save-scene", arguments.save_scene,
+                       "write the scene of this run, files and where they stand, as a scene file")
+           ->type_name("FILE")
+           ->group("Scene"));
 }
 
 // Before anything is loaded, which may take long.
@@ -242,7 +257,17 @@ void check_scenes(const SceneArguments& a) {
     throw input_error("", "camera.heads must be 1 for several files, got {}", a.settings.camera.heads);
 }
 
+// A word that is no file may be meant for one that is built in.
+void check_is_there(const std::string& file) {
+  std::error_code error;
+  if (is_built_in(file) || std::filesystem::exists(file, error)) return;
+  const std::string meant =
+      did_you_mean(file, {"built-in", "built-in:light", "built-in:medium", "built-in:dark"});
+  if (!meant.empty()) throw input_error(file, "no such file{}", meant);
+}
+
 Asset open_asset(const std::string& file, const SceneOptions& options, const Hooks& hooks) {
+  check_is_there(file);
   return Asset::load(is_built_in(file) ? built_in_name(file) : file, options, hooks);
 }
 
@@ -284,28 +309,35 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
 
   add_scene(command, arguments);
   add_settings_files(command, arguments);
-  for_each_setting(arguments.options,
-                   [&](const std::string&, const About& about, auto& value, std::string_view) {
-                     AddOption{command}("--" + std::string(about.option), about, value)->group("Scene");
-                   });
-  command.add_flag("--verbose", verbose(), "print every warning and note, not the first two lines alone")
-      ->default_str("")
-      ->group("Scene");
+  for_each_setting(
+      arguments.options, [&](const std::string&, const About& about, auto& value, std::string_view) {
+        file_under("Scene", about, AddOption{command}("--" + std::string(about.option), about, value));
+      });
+  rare(
+      command.add_flag("--verbose", verbose(), "print every warning and note, not the first two lines alone")
+          ->default_str("")
+          ->group("Scene"));
 
   add_settings(command, arguments.settings, use);
   if (use == SceneUse::reference || use == SceneUse::comparison)
-    for_each_setting(arguments.reference.emplace(),
-                     [&](const std::string&, const About& about, auto& value, std::string_view) {
-                       AddOption{command}("--" + std::string(about.option), about, value)->group(truth_group);
-                     });
+    for_each_setting(arguments.reference.emplace(), [&](const std::string&, const About& about, auto& value,
+                                                        std::string_view) {
+      file_under(truth_group, about, AddOption{command}("--" + std::string(about.option), about, value));
+    });
   command
       .add_option_function<std::string>(
           "--view", [](const std::string&) { throw CLI::ValidationError("--view", "is now --tone-map"); },
           "the former name of --tone-map")
       ->group("");  // not in the help
 
+  // Names of rooms that the rows know nothing of.
+  if (CLI::Option* medium = command.get_option_no_throw("--medium")) {
+    std::vector<std::string_view> names;
+    for (const optics::Material& material : optics::jensen_materials()) names.push_back(material.name);
+    medium->type_name(one_of(names) + "|COEFFICIENTS");
+  }
   if (CLI::Option* technique = command.get_option_no_throw("--technique"))
-    technique->description(fmt::format("{}", fmt::join(technique_names(), ", ")));
+    technique->type_name(one_of(technique_names()));
 }
 
 SettingsFile settings_file(const SceneArguments& arguments) {
@@ -345,6 +377,7 @@ PlayingScene open_playing_scene(const SceneArguments& arguments, const Hooks& ho
   if (arguments.scenes.size() <= 1 && test_scenes::is_test_scene(only))
     return {open_test_scene(only, arguments, hooks), {}};
 
+  check_is_there(only);
   const SceneOptions options = api::at_begin(arguments.options);
   Scene scene = arguments.scenes.size() > 1
                     ? open_scenes(arguments, options, hooks)

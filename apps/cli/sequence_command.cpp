@@ -131,8 +131,10 @@ void add_sequence_command(CLI::App& app, int& exit_status) {
       ->add_option("-o,--output", a->output,
                    "pictures to write, .png (display values) or .exr (linear), with the number of the frame: "
                    "out/frame-%04d.png; or a video, .mp4, .webm or .webp, which the program ffmpeg makes")
+      ->type_name("FILE")
       ->required();
-  command->add_option("--sheet", a->sheet, "write a contact sheet of at most 24 frames, .png");
+  command->add_option("--sheet", a->sheet, "write a contact sheet of at most 24 frames, .png")
+      ->type_name("FILE");
   add_motion_options(*command, a->settings, a->motion);
   command->add_option("--fps", a->timeline.fps, "frames per second")->group(group);
   command->add_option("--from", a->timeline.from_s, "begin, in seconds of the clip")->group(group);

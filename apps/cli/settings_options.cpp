@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/help.h"
 #include "settings/fields.h"
 #include "settings/profile_fields.h"
 
@@ -91,6 +92,11 @@ std::string with_options(std::string message, const CLI::App& app) {
   return message;
 }
 
+CLI::Option* file_under(const std::string& title, const About& about, CLI::Option* option) {
+  option->group(title);
+  return about.common ? option : rare(option);
+}
+
 CLI::Option* AddOption::operator()(const std::string& name, const About& about,
                                    std::array<double, 2>& value) const {
   return command
@@ -115,13 +121,8 @@ CLI::Option* AddOption::operator()(const std::string& name, const About& about,
       ->type_name("X,Y,Z");
 }
 
-CLI::Option* AddOption::add_switch(const std::string& name, const About& about, bool& value) const {
-  const std::string on(about.on), off(about.off);
-  return command
-      .add_option_function<std::string>(
-          name, [&value, on](const std::string& text) { value = text == on; }, help_of(about))
-      ->check(CLI::IsMember({on, off}))
-      ->default_str(value ? on : off);
+CLI::Option* AddOption::with_values(const About& about, CLI::Option* option) {
+  return about.values.empty() ? option : option->type_name(std::string(about.values));
 }
 
 CLI::Option* AddOption::add_number_or(const std::string& name, const About& about,

@@ -10,7 +10,9 @@
 #include <string>
 
 #include "cli/command_line.h"
+#include "cli/help.h"
 #include "core/fields.h"
+#include "core/known_names.h"
 #include "settings/check.h"
 #include "settings/names.h"
 
@@ -25,6 +27,9 @@ std::string help_with_range(const About& about);
 /// Shows members of settings in a message with their options: "camera.fov_deg (--fov) must be ...". Options
 /// that the command which runs does not have are left out.
 std::string with_options(std::string message, const CLI::App& app);
+
+/// Puts the option of a row under a title, and leaves it to --help-all unless the row is common.
+CLI::Option* file_under(const std::string& title, const About& about, CLI::Option* option);
 
 /// One option, whose kind follows from the type of the value. What it reads is checked when it is used.
 struct AddOption {
@@ -41,7 +46,7 @@ struct AddOption {
     else if constexpr (std::is_same_v<Value, bool>)
       return about.on.empty() ? command.add_flag(name, value, help) : add_switch(name, about, value);
     else
-      return command.add_option(name, value, help);
+      return with_values(about, command.add_option(name, value, help));
   }
 
   template <class Value>
@@ -49,9 +54,11 @@ struct AddOption {
     const std::string help = help_of(about);
     if constexpr (std::is_enum_v<Value>)
       return add_named<Value>(name, value, about)->default_str("");
+    else if constexpr (std::is_same_v<Value, bool>)
+      return add_switch(name, about, value)->default_str("");
     else if constexpr (std::is_same_v<Value, double>)
       if (about.none.find(' ') == std::string_view::npos) return add_number_or(name, about, value);
-    return command.add_option(name, value, help);
+    return with_values(about, command.add_option(name, value, help));
   }
 
   CLI::Option* operator()(const std::string& name, const About& about, std::array<double, 2>& value) const;
@@ -60,16 +67,27 @@ struct AddOption {
 
  private:
   template <class Enum, class Value>
-  CLI::Option* add_named(const std::string& name, Value& value, About about) const {
+  CLI::Option* add_named(const std::string& name, Value& value, const About& about) const {
     const auto read = [&value, name](const std::string& text) { value = find_name<Enum>(name, text); };
-    std::string help(about.help);
-    const bool explains_names = help.find(names_of<Enum>.front()) != std::string::npos;
-    if (!explains_names) help += fmt::format(": {}", fmt::join(names_of<Enum>, ", "));
-    about.help = help;
-    return command.add_option_function<std::string>(name, read, help_of(about))->type_name("TEXT");
+    return command.add_option_function<std::string>(name, read, help_of(about))
+        ->type_name(one_of(names_of<Enum>));
   }
 
-  CLI::Option* add_switch(const std::string& name, const About& about, bool& value) const;
+  /// Adds an option whose value is one of two words, or true or false, as in JSON.
+  template <class Value>
+  CLI::Option* add_switch(const std::string& name, const About& about, Value& value) const {
+    const std::string on(about.on.empty() ? "true" : about.on), off(about.off.empty() ? "false" : about.off);
+    const auto read = [&value, name, on, off](const std::string& text) {
+      const bool is_on = text == on || text == "true";
+      if (!is_on && text != off && text != "false")
+        throw CLI::ValidationError(name, unknown_name(text, {on, off}));
+      value = is_on;
+    };
+    return command.add_option_function<std::string>(name, read, help_of(about))
+        ->type_name(one_of({on, off}))
+        ->default_str(value == true ? on : off);
+  }
+  static CLI::Option* with_values(const About& about, CLI::Option* option);
   CLI::Option* add_number_or(const std::string& name, const About& about, std::optional<double>& value) const;
 };
 

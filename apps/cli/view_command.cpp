@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 #include "cli/command.h"
 #include "core/error.h"
@@ -11,7 +12,7 @@
 namespace dermis::cli {
 namespace {
 
-// The viewer's program is of the same build, so its own --help knows its options.
+// The viewer's program is of the same build and reads the same words again.
 void start_viewer(char** arguments) {
   std::error_code error;
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -30,11 +31,8 @@ void start_viewer(char** arguments) {
 }  // namespace
 
 void add_view_command(CLI::App& app, char** arguments) {
-  CLI::App* command =
-      app.add_subcommand("view", "look at a scene in a window, and change it (see 'view --help')");
-  command->set_help_flag();
-  command->prefix_command();
-  command->callback([arguments] { start_viewer(arguments); });
+  auto parsed = std::make_shared<ViewArguments>();
+  add_view_options(app, *parsed)->callback([parsed, arguments] { start_viewer(arguments); });
 }
 
 }  // namespace dermis::cli

@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/command_line.h"
+#include "cli/help.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/known_names.h"
 #include "kit/measure.h"
 #include "kit/page.h"
 #include "kit/place.h"
@@ -35,8 +36,7 @@ struct Arguments {
 
 void check_part(const std::string& name) {
   if (std::ranges::find(parts, name) == std::end(parts))
-    throw CLI::ValidationError("--only",
-                               fmt::format("'{}' is no part; there are: {}", name, fmt::join(parts, ", ")));
+    throw CLI::ValidationError("--only", fmt::format("'{}' is no part; {}", name, listed_names(name, parts)));
 }
 
 void add_arguments(CLI::App& app, Arguments& a) {

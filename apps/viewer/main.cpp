@@ -11,18 +11,13 @@
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/failure.h"
+#include "cli/help.h"
 #include "dermis/error.h"
 #include "viewer/app.h"
 
 namespace {
 
-struct ViewArguments : dermis::cli::SceneArguments {
-  dermis::cli::DeviceArguments on;
-  bool scripted = false, live_shaders = false;
-  std::string window = "1280x800";
-};
-
-void view(const ViewArguments& a, const CLI::App& command, int& exit_status) {
+void view(const dermis::cli::ViewArguments& a, const CLI::App& command, int& exit_status) {
   dermis::viewer::AppOptions options;
   options.device = a.on.device;
   options.validate = a.on.validate;
@@ -52,23 +47,13 @@ void view(const ViewArguments& a, const CLI::App& command, int& exit_status) {
 
 int main(int argc, char** argv) {
   CLI::App app{"dermis: human skin in real time, and what it costs"};
+  dermis::cli::set_up_help(app);
   app.set_version_flag("--version", DERMIS_VERSION);
   app.require_subcommand(1);
-  app.formatter(std::make_shared<dermis::cli::HelpFormatter>());
-  app.get_formatter()->column_width(38);
-  app.option_defaults()->always_capture_default();
   int exit_status = 0;
 
-  CLI::App* command = app.add_subcommand("view", "look at a scene in a window, and change it");
-  auto arguments = std::make_shared<ViewArguments>();
-  dermis::cli::add_scene_arguments(*command, *arguments, dermis::cli::SceneUse::view);
-  dermis::cli::add_device_arguments(*command, arguments->on);
-  command->add_option("--window", arguments->window, "size of the window at first, pixels")->type_name("WxH");
-  command->add_flag("--tell", arguments->scripted, "print what happens, a line each, for scripts");
-#ifdef DERMIS_LIVE_SHADERS
-  command->add_flag("--live-shaders", arguments->live_shaders,
-                    "for developers: compile the shaders of " DERMIS_SHADER_FOLDER " whenever they change");
-#endif
+  auto arguments = std::make_shared<dermis::cli::ViewArguments>();
+  CLI::App* command = dermis::cli::add_view_options(app, *arguments);
   command->callback([arguments, command, &exit_status] { view(*arguments, *command, exit_status); });
 
   dermis::cli::BriefLog log(app);

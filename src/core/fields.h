@@ -21,14 +21,16 @@ namespace dermis {
 
 /// What a row says beside name and member. The default is that of the member.
 struct About {
-  std::string_view help;       ///< of a section: its title
-  std::string_view unit = {};  ///< of a number; empty: none
+  std::string_view help;         ///< of a section: its title
+  std::string_view unit = {};    ///< of a number; empty: none
+  std::string_view values = {};  ///< of a text: words, and in capitals what else it may be, '|' between them
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool open = false;                   ///< neither `least` nor `most` itself is in range
   std::string_view none = {};          ///< what holds if an optional has no value, or a text is empty
   std::string_view option = {};        ///< its name on the command line, without dashes; empty: it has none
   std::string_view on = {}, off = {};  ///< words of a switch; empty: a flag, or true and false
+  bool common = false;                 ///< among the few that most people need: help shows these first
   bool rebuilds = false;               ///< whether a change may make the plan of a frame anew
   bool real_time = false;              ///< whether it concerns the real-time techniques alone
 };

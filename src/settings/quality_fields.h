@@ -16,6 +16,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .least = 32,
            .most = 65536,
            .option = "map-size",
+           .common = true,
            .rebuilds = true,
            .real_time = true}},
     Field{"shadow_size",

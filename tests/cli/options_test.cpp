@@ -3,6 +3,7 @@
 // makes no sense.
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
+#include "settings/fields.h"
 
 namespace dermis::tests {
 namespace {
@@ -21,7 +22,7 @@ class Options : public Program {
 TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   const std::string out = picture().string(), scene = head();
   expect_not_understood(run({}), "subcommand");
-  expect_not_understood(run({"paint"}), "subcommand");
+  expect_not_understood(run({"paint"}), "there is no command 'paint'; there are: render, sequence");
   expect_not_understood(run({"render"}), "--output");
 
   expect_not_understood(run({"render", scene, "-o"}), "-o");
@@ -74,8 +75,54 @@ TEST_F(Options, UnknownNamesListTheKnownOnes) {
   refuse({"--device", "abacus"}, "there are: 0: ");
   refuse({"--device", "99"}, "there are: 0: ");
   refuse({"--device", "-1"}, "there are: 0: ");
-  refuse({"--skin", "leather"}, "'skin'");
-  refuse({"--profile", "leather"}, "published are: skin");
+  refuse({"--skin", "leather"}, "there are: skin");
+  refuse({"--profile", "leather"}, "there are: skin");
+}
+
+TEST_F(Options, NamesNearAKnownOneAreAskedFor) {
+  refuse({"--technique", "lamber"}, "did you mean 'lambert'?");
+  refuse({"--tone-map", "Filmic"}, "did you mean 'filmic'?");
+  refuse({"--mask", "dpeth"}, "did you mean 'depth'?");
+  refuse({"--show", "irradience"}, "did you mean 'irradiance'?");
+  refuse({"--device", "bset"}, "did you mean 'best'?");
+  refuse({"--skin", "skni"}, "did you mean 'skin'?");
+  refuse({"--profile", "skinn"}, "did you mean 'skin'?");
+  refuse({"--environment", "stduio"}, "did you mean 'studio'?");
+  refuse({"--background", "blakc"}, "did you mean 'black'?");
+  expect_refused(run({"render", "built-in:lihgt", "-o", picture().string()}),
+                 "no skin 'lihgt'; there are: light, medium, dark; did you mean 'light'?");
+  expect_refused(run({"render", "bulit-in", "-o", picture().string()}), "did you mean 'built-in'?");
+  expect_refused(run({"render", "test:nsoe", "-o", picture().string()}), "did you mean 'nose'?");
+  expect_refused(run({"profile", "--preset", "skin3"}), "did you mean 'skin1'?");
+  expect_refused(run({"profile", "--preset", "skin1", "--export", "unty"}), "did you mean 'unity'?");
+  expect_refused(run({"render", head(), "built-in", "--layout", "gird", "-o", picture().string()}),
+                 "did you mean 'grid'?");
+}
+
+TEST_F(Options, SlipsOfTheCommandLineAreAskedFor) {
+  const std::string out = picture().string(), scene = head();
+  for (const auto& [words, says] : std::initializer_list<std::pair<Arguments, const char*>>{
+           {{"rendr", scene, "-o", out}, "there is no command 'rendr'"},
+           {{"rendr", scene, "-o", out}, "; did you mean 'render'?"},
+           {{"help"}, "; did you mean '--help'?"},
+           {{"--versoin"}, "there is no option '--versoin'; did you mean '--version'?"},
+           {{"render", scene, "--environmnt", "studio"},
+            "render: there is no option '--environmnt'; did you"},
+           {{"render", scene, "-o", out, "--tonemap=agx"}, "option '--tonemap'; did you mean '--tone-map'?"},
+           {{"render", scene, "-o", out, "--Map_Size", "64"}, "did you mean '--map-size'?"},
+           {{"render", scene, "-o", out, "--expo", "1"}, "did you mean '--exposure'?"},
+           {{"render", scene, "-o", out, "--specular", "of"},
+            "--specular: 'of' is not known; there are: on, "},
+           {{"render", scene, "-o", out, "--optimise", "cul"}, "did you mean 'cull'?"},
+           {{"bench", scene, "quick"}, "bench: nothing takes the word 'quick'; did you mean '--quick'?"},
+           {{"view", "--orbti", "1,2"}, "view: there is no option '--orbti'; did you mean '--orbit'?"}}) {
+    const Result result = run(words);
+    expect_not_understood(result, says);
+    EXPECT_TRUE(result.err.starts_with("dermis: ") || result.err.starts_with("--")) << result.err;
+  }
+
+  const Result nonsense = run({"render", scene, "-o", out, "--xyzzy"});
+  expect_not_understood(nonsense, "render: there is no option '--xyzzy'; --help-all shows all\n");
 }
 
 TEST_F(Options, SurroundingsThatAreNone) {
@@ -186,12 +233,46 @@ TEST_F(Options, HelpNamesUnitsAndDefaults) {
     EXPECT_NE(help.out.find("Usage"), std::string::npos) << command;
     EXPECT_EQ(help.err, "") << command;
   }
-  const std::string help = run({"render", "--help"}).out;
+  const std::string help = run({"render", "--help-all"}).out;
   for (const char* text : {"pixels", "texels", "degrees", "metres", "radii", "=1280x720", "=2048",
                            "=texture-space", "=natural", "2^EV", "default: "})
     EXPECT_NE(help.find(text), std::string::npos) << text;
   EXPECT_EQ(run({"--help"}).status, 0);
-  EXPECT_EQ(run({"--version"}).status, 0);
+}
+
+// Of the rows: those that are common, and all. The rest of a command's options says so where it is added.
+TEST_F(Options, HelpShowsTwentyAndHelpAllTheRest) {
+  const Result few = run({"render", "--help"}), all = run({"render", "--help-all"});
+  const auto options_in = [](const std::string& help) {
+    std::size_t count = 0;
+    for (std::size_t at = help.find("\n  -"); at != std::string::npos; at = help.find("\n  -", at + 1))
+      ++count;
+    return count - 2;  // --help and --help-all
+  };
+  EXPECT_EQ(options_in(few.out), 20u) << few.out;
+  EXPECT_TRUE(few.out.ends_with(" render --help-all shows all " + std::to_string(options_in(all.out) + 2) +
+                                " options\n"))
+      << few.out;
+  for (const char* title : {"\nScene:\n", "\nCamera:\n", "\nLight:\n", "\nSkin:\n", "\nPicture:\n"})
+    EXPECT_NE(few.out.find(title), std::string::npos) << title;
+
+  const auto one = [&](const std::string&, const About& about, const auto&, std::string_view) {
+    if (about.option.empty()) return;
+    const std::string option = "\n  --" + std::string(about.option) + " ";
+    EXPECT_EQ(few.out.find(option) != std::string::npos, about.common) << option;
+    EXPECT_NE(all.out.find(option), std::string::npos) << option;
+  };
+  const RenderSettings render;
+  const SceneOptions scene;
+  for_each_setting(render, one);
+  for_each_setting(scene, one);
+
+  for (const char* command : {"sequence", "view", "plan", "reference", "compare", "bench", "profile"}) {
+    const Result help = run({command, "--help"});
+    EXPECT_LE(options_in(help.out), 30u) << command;
+    EXPECT_NE(help.out.find("--help-all shows all "), std::string::npos) << command;
+  }
+  EXPECT_NE(run({"--help-all"}).out.find("--noise"), std::string::npos) << "of every command";
 }
 
 const Surroundings no_driver{.variables = {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"}};

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/help.h"
+
 namespace dermis::cli {
 namespace {
 
@@ -53,6 +55,42 @@ TEST_F(Options, HelpShowsWhatCanBeTyped) {
   EXPECT_NE(help.find("--compare OLD NEW"), std::string::npos) << help;
   EXPECT_EQ(help.find("..."), std::string::npos) << help;
   EXPECT_EQ(help.find(" x 2"), std::string::npos) << help;
+}
+
+TEST_F(Options, HelpLeavesRareOptionsToHelpAll) {
+  CLI::App program{"program"};
+  set_up_help(program);
+  CLI::App* command = program.add_subcommand("draw", "draws");
+  command->add_option("--size", count, "pixels")->group("Picture");
+  rare(command->add_option("--bloom", count, "spread light")->group("Picture"));
+  command->add_option("--secret", count, "hidden")->group("");
+
+  const std::string few = command->help("program"), all = command->help("program", CLI::AppFormatMode::All);
+  EXPECT_NE(few.find("\nPicture:\n  --size UINT=7"), std::string::npos) << few;
+  EXPECT_EQ(few.find("--bloom"), std::string::npos) << few;
+  EXPECT_TRUE(few.ends_with("\nprogram draw --help-all shows all 4 options\n")) << few;
+  EXPECT_NE(all.find("--bloom"), std::string::npos) << all;
+  EXPECT_EQ(all.find("Picture", all.find("Picture") + 1), std::string::npos) << "one title: " << all;
+  EXPECT_EQ((few + all).find("--secret"), std::string::npos);
+  EXPECT_EQ(all.find("rare"), std::string::npos) << all;
+  EXPECT_NE(program.help("program", CLI::AppFormatMode::All).find("--bloom"), std::string::npos);
+}
+
+// A long list of words stands in the description, unless that explains them.
+TEST_F(Options, HelpShowsTheWordsOfAValue) {
+  std::string word;
+  const auto add = [&](const char* name, const char* type, const char* help) {
+    app.add_option(name, word, help)->type_name(type);
+  };
+  add("--blur", "chain|cascade", "the order");
+  add("--tone-map", "natural|neutral|agx|filmic|srgb", "from light to display");
+  add("--behind", "black|studio|environment|#RRGGBB", "the background");
+  add("--kind", "long-word-of-one-kind|long-word-of-another", "long-word-of-one-kind: it is explained");
+  const std::string help = app.help();
+  for (const char* text :
+       {"--blur chain|cascade ", "--tone-map NAME ", "display: natural, neutral, agx, filmic, srgb\n",
+        "--behind NAME|#RRGGBB ", "background: black, studio, environment\n", "kind: it is explained\n"})
+    EXPECT_NE(help.find(text), std::string::npos) << text << " in " << help;
 }
 
 TEST_F(Options, ACountSaysItsRange) {

@@ -21,7 +21,7 @@
 namespace dermis {
 namespace {
 
-/// What a value may be: a range with its unit, or names.
+/// What a value may be: a range with its unit, or names, in capitals what else.
 template <class Value>
 std::string range_of(const About& about, const Value& value) {
   if constexpr (is_optional<Value>) {
@@ -33,6 +33,11 @@ std::string range_of(const About& about, const Value& value) {
     return names;
   } else if constexpr (std::is_same_v<Value, bool>) {
     return value || !value ? "true, false" : "";
+  }
+  if (!about.values.empty()) {
+    std::string values;
+    for (const char c : about.values) values += c == '|' ? std::string(", ") : std::string(1, c);
+    return values;
   }
   const std::string range = range_text(about);
   return range.empty() ? std::string(about.unit) : range;
