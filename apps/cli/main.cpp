@@ -8,6 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/failure.h"
 #include "cli/help.h"
+#include "cli/manual/entries.h"
 #include "cli/profile_command.h"
 
 int main(int argc, char** argv) {
@@ -28,6 +29,8 @@ int main(int argc, char** argv) {
   dermis::cli::add_bench_command(app, exit_status);
   dermis::cli::add_demo_command(app, exit_status);
   dermis::cli::add_info_command(app, exit_status);
+
+  dermis::cli::manual::add_manual_options(app, DERMIS_VERSION);
 
   dermis::cli::BriefLog log(app);
   try {
