@@ -10,11 +10,13 @@
 #include "cli/help.h"
 #include "cli/manual/entries.h"
 #include "cli/profile_command.h"
+#include "cli/version.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"dermis: human skin in real time, and what it costs"};
+  const std::string version = dermis::cli::version_text();
   dermis::cli::set_up_help(app);
-  app.set_version_flag("--version", DERMIS_VERSION);
+  app.set_version_flag("--version", version, "show the version, and what it was built with, and end");
   app.require_subcommand(1);
 
   for (int i = 0; i < argc; ++i) dermis::cli::command_line() += (i ? " " : "") + dermis::cli::quoted(argv[i]);

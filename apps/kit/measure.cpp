@@ -13,8 +13,8 @@
 #include <fstream>
 #include <thread>
 
-#include "cli/commit.h"
 #include "cli/progress.h"
+#include "cli/version.h"
 #include "core/error.h"
 #include "dermis/renderer.h"
 #include "kit/results.h"

@@ -12,6 +12,7 @@
 #include "cli/command_line.h"
 #include "cli/failure.h"
 #include "cli/help.h"
+#include "cli/version.h"
 #include "dermis/error.h"
 #include "viewer/app.h"
 
@@ -47,8 +48,9 @@ void view(const dermis::cli::ViewArguments& a, const CLI::App& command, int& exi
 
 int main(int argc, char** argv) {
   CLI::App app{"dermis: human skin in real time, and what it costs"};
+  const std::string version = dermis::cli::version_text();
   dermis::cli::set_up_help(app);
-  app.set_version_flag("--version", DERMIS_VERSION);
+  app.set_version_flag("--version", version, "show the version, and what it was built with, and end");
   app.require_subcommand(1);
   int exit_status = 0;
 

@@ -275,6 +275,14 @@ TEST_F(Options, HelpShowsTwentyAndHelpAllTheRest) {
   EXPECT_NE(run({"--help-all"}).out.find("--noise"), std::string::npos) << "of every command";
 }
 
+TEST_F(Options, VersionSaysWhatItWasBuiltWith) {
+  const Result version = run({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_TRUE(version.out.starts_with("dermis " DERMIS_VERSION " (")) << version.out;
+  for (const char* text : {"\nbuilt by ", "Vulkan headers 1.", "embree ", "OpenEXR 3."})
+    EXPECT_NE(version.out.find(text), std::string::npos) << text << " in " << version.out;
+}
+
 const Surroundings no_driver{.variables = {"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"}};
 
 TEST_F(Options, WithoutADriverTheErrorSaysWhatToInstall) {

@@ -12,7 +12,6 @@
 
 #include "api/asset_files.h"
 #include "api/fingerprint.h"
-#include "cli/commit.h"
 #include "cli/progress.h"
 #include "cli/sequence/frames.h"
 #include "cli/sequence/pattern.h"
@@ -20,6 +19,7 @@
 #include "cli/sequence/sheet.h"
 #include "cli/sequence/video.h"
 #include "cli/sequence/writers.h"
+#include "cli/version.h"
 #include "core/hash.h"
 #include "core/hooks.h"
 #include "dermis/cancelled.h"
