@@ -45,7 +45,7 @@ Renderer::State::State(const vulkan::Host& host, const Hooks& hooks)
               host.find_shader) {}
 
 std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
-  std::vector<api::AssetPointer> of_instances, different;
+  std::vector<api::AssetPointer> of_instances;
   std::map<std::shared_ptr<const scene::Scene>, api::AssetPointer> known;
   std::erase_if(live_assets, [&](const std::weak_ptr<api::SharedAsset>& live) {
     const api::AssetPointer asset = live.lock();
@@ -62,10 +62,7 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
     }
     of_instances.push_back(asset);
   }
-  for (const api::AssetPointer& asset : of_instances)
-    if (std::find(different.begin(), different.end(), asset) == different.end()) different.push_back(asset);
-
-  last_assets = std::move(different);
+  last_assets = api::each_once(of_instances);
   return of_instances;
 }
 

@@ -2,7 +2,11 @@
 #include "api/scene_on_device.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <map>
+#include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "core/cache.h"
@@ -98,15 +102,47 @@ void add_welded(gpu::Device& device, SharedAsset& asset) {
     asset.gpu->make_welded(device, i, asset.subject.skin[i]);
 }
 
-template <class Shared, class Matches>
-std::shared_ptr<const Shared> find_shared(const std::vector<std::shared_ptr<const Shared>>& all,
-                                          const Matches& matches) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& one) { return one && matches(*one); });
-  return found == all.end() ? nullptr : *found;
+// What instances share, by what they must have in common: a scene may have thousands of either.
+template <class Shared, class Key>
+class SharedBy {
+ public:
+  using Pointer = std::shared_ptr<const Shared>;
+
+  void add(const Key& key, const Pointer& one) { all_[key].push_back(one); }
+  template <class Matches>
+  Pointer find(const Key& key, const Matches& matches) const {
+    const auto found = all_.find(key);
+    if (found == all_.end()) return nullptr;
+    for (const Pointer& one : found->second)
+      if (matches(*one)) return one;
+    return nullptr;
+  }
+
+ private:
+  std::map<Key, std::vector<Pointer>> all_;
+};
+
+using LookKey = std::tuple<const SharedAsset*, std::optional<float>, float, float, float>;
+LookKey key_of(const AssetPointer& asset, const passes::LookSettings& settings) {
+  return {asset.get(), settings.mix, settings.tint.x, settings.tint.y, settings.tint.z};
+}
+
+using SkyKey = std::pair<const SharedAsset*, std::array<float, 9>>;
+SkyKey key_of(const AssetPointer& asset, const glm::mat3& rotation) {
+  SkyKey key{asset.get(), {}};
+  for (glm::length_t i = 0; i < 9; ++i) key.second[static_cast<std::size_t>(i)] = rotation[i / 3][i % 3];
+  return key;
 }
 
 }  // namespace
+
+std::vector<AssetPointer> each_once(const std::vector<AssetPointer>& assets) {
+  std::unordered_set<const SharedAsset*> known;
+  std::vector<AssetPointer> different;
+  for (const AssetPointer& asset : assets)
+    if (known.insert(asset.get()).second) different.push_back(asset);
+  return different;
+}
 
 std::vector<const setup::Subject*> SceneOnDevice::subjects() const {
   std::vector<const setup::Subject*> subjects;
@@ -120,12 +156,7 @@ std::vector<scene::BoundingSphere> SceneOnDevice::skin_spheres() const {
   return spheres;
 }
 
-std::vector<AssetPointer> SceneOnDevice::different_assets() const {
-  std::vector<AssetPointer> different;
-  for (const AssetPointer& asset : assets_)
-    if (std::find(different.begin(), different.end(), asset) == different.end()) different.push_back(asset);
-  return different;
-}
+std::vector<AssetPointer> SceneOnDevice::different_assets() const { return each_once(assets_); }
 
 double SceneOnDevice::upload_ms() const {
   double sum = 0;
@@ -170,6 +201,9 @@ void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& sc
                                const setup::HostSetup* host) {
   const std::span<const setup::HostMap> maps =
       host ? std::span<const setup::HostMap>(host->maps) : std::span<const setup::HostMap>();
+  SharedBy<SharedLook, LookKey> known;
+  for (const auto& look : before.looks_)
+    if (look) known.add(key_of(look->asset, look->settings), look);
   looks_.clear();
   for (std::size_t i = 0; i < assets_.size(); ++i) {
     passes::LookSettings wanted{.mix = scene.instances[i].mix, .tint = scene.instances[i].tint, .maps = {}};
@@ -180,11 +214,13 @@ void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& sc
       return look.asset == assets_[i] && look.settings == wanted;
     };
 
-    std::shared_ptr<const SharedLook> look = find_shared(looks_, matches);
-    if (!look) look = find_shared(before.looks_, matches);
-    if (!look)
+    const LookKey key = key_of(assets_[i], wanted);
+    std::shared_ptr<const SharedLook> look = known.find(key, matches);
+    if (!look) {
       look = std::make_shared<const SharedLook>(
           SharedLook{assets_[i], wanted, assets_[i]->gpu->make_look(device, wanted)});
+      known.add(key, look);
+    }
     looks_.push_back(std::move(look));
   }
 }
@@ -201,6 +237,9 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
     shown[head.instance] = shown[head.instance] || head.visible;
 
   const double rotation_deg = settings.lighting.environment_rotation_deg;
+  SharedBy<SharedSky, SkyKey> known;
+  for (const auto& sky : before.skies_)
+    if (sky) known.add(key_of(sky->asset, sky->sky.world_from_asset), sky);
   for (std::size_t i = 0; i < assets_.size(); ++i) {
     if (!shown[i]) continue;
     const glm::mat3& rotation = scene.instances[i].pose.rotation;
@@ -208,12 +247,14 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
       return sky.asset == assets_[i] && sky.sky.is_of(*environment, rotation_deg, rotation);
     };
 
-    std::shared_ptr<const SharedSky> sky = find_shared(skies_, matches);
-    if (!sky) sky = find_shared(before.skies_, matches);
-    if (!sky)
+    const SkyKey key = key_of(assets_[i], rotation);
+    std::shared_ptr<const SharedSky> sky = known.find(key, matches);
+    if (!sky) {
       sky = std::make_shared<const SharedSky>(SharedSky{
           assets_[i],
           setup::sky_on_skin(device, environment, rotation_deg, rotation, assets_[i]->bent_normal)});
+      known.add(key, sky);
+    }
     skies_[i] = std::move(sky);
   }
 }

@@ -27,6 +27,9 @@ struct SharedAsset {
 };
 using AssetPointer = std::shared_ptr<SharedAsset>;
 
+/// Returns each asset where it first stands.
+std::vector<AssetPointer> each_once(const std::vector<AssetPointer>& assets);
+
 /// Materials of an asset for instances that change them alike.
 struct SharedLook {
   AssetPointer asset;

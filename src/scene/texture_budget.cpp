@@ -56,6 +56,13 @@ std::vector<MapUse> map_uses(const Scene& scene) {
   return uses;
 }
 
+void point_maps_at_first(const std::map<int, int>& first, Scene& scene) {
+  for (Material& m : scene.materials)
+    for_each_map(m, [&](MapRef& map, bool) {
+      if (map.present()) map.image = first.at(map.image);
+    });
+}
+
 void fit_to_budget(const std::string& file, std::uint64_t budget_bytes, std::vector<MapUse>& uses) {
   std::uint64_t wanted = 0;
   std::priority_queue<std::pair<std::uint64_t, std::size_t>> largest;  // bytes, uses from the end

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,9 @@ struct MapUse {
 /// Returns each pair of a picture and its use by a material once, in the order of the source; without names
 /// and sizes. MapRef::image is still a number of the source.
 std::vector<MapUse> map_uses(const Scene& scene);
+
+/// Points the maps of equal pictures at one of them: `first`, by the number in the source.
+void point_maps_at_first(const std::map<int, int>& first, Scene& scene);
 
 /// Halves the largest map (the first of equal ones) until all are within the budget. One note lists them;
 /// `file` is for messages. Throws InputError if they cannot fit.

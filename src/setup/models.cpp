@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,6 @@ struct ModelKey {
   std::optional<gaussians::SumOfGaussians> profile;
   /// An instance in a pose has a metric of its own.
   std::optional<std::size_t> posed{};
-  bool operator==(const ModelKey&) const = default;
 };
 
 // Whether a twentieth of the skin has so few texels that terms are lit at the pixel there.
@@ -135,7 +135,10 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
                    const RenderSettings& s) {
   techniques::FrameSettings& plan = setup.plan;
   plan.models.clear();
-  std::vector<ModelKey> keys;
+  // Models that differ in no more than their profile.
+  std::map<std::tuple<const Subject*, float, bool, std::size_t>,
+           std::vector<std::pair<std::optional<gaussians::SumOfGaussians>, std::uint32_t>>>
+      known;
   std::optional<gaussians::SumOfGaussians> for_all;
   if (!s.skin.profile.empty())
     for_all = gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile,
@@ -149,9 +152,12 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
                        .scale = head.pose.scale,
                        .profile = for_all ? for_all : instance.profile,
                        .posed = instance.posed ? std::optional(head.instance) : std::nullopt};
-    const auto found = std::find(keys.begin(), keys.end(), key);
-    head.model = static_cast<std::uint32_t>(found - keys.begin());
-    if (found != keys.end()) continue;
+    auto& alike = known[{key.subject, key.scale, key.posed.has_value(), key.posed.value_or(0)}];
+    const auto found = std::find_if(alike.begin(), alike.end(),
+                                    [&](const auto& model) { return model.first == key.profile; });
+    head.model = found == alike.end() ? static_cast<std::uint32_t>(plan.models.size()) : found->second;
+    if (found != alike.end()) continue;
+    alike.emplace_back(key.profile, head.model);
 
     const auto meshes = static_cast<std::uint32_t>(key.subject->skin.size());
     const auto [unwrap, is_new] = first_unwraps.try_emplace(std::pair(key.subject, key.posed), unwraps);
@@ -166,7 +172,6 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
       setup.meshes.push_back({.instance = head.instance, .mesh = mesh});
     }
     plan.models.push_back(model);
-    keys.push_back(key);
   }
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/arrays/read_images.h"
 
+#include <map>
 #include <memory>
 #include <new>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include "core/error.h"
@@ -10,6 +13,7 @@
 #include "core/parallel.h"
 #include "image/shrink.h"
 #include "scene/arrays/check.h"
+#include "scene/kept_pictures.h"
 #include "scene/texture_budget.h"
 
 namespace dermis::scene::arrays {
@@ -40,9 +44,24 @@ image::Image8 read(const AssetImage& given, const image::Shrink& shrink) {
   return picture.take();
 }
 
+/// Points the maps of equal images at the first of them, as for a file.
+void merge_equal(const AssetArrays& arrays, Scene& scene) {
+  std::map<std::tuple<int, int, int, PictureKey>, int> known;
+  std::map<int, int> first;
+  for (const MapUse& use : map_uses(scene)) {
+    const AssetImage& image = arrays.images[static_cast<std::size_t>(use.source)];
+    if (first.contains(use.source)) continue;
+    const auto key =
+        std::tuple(image.width, image.height, image.channels, key_of(std::as_bytes(std::span(image.pixels))));
+    first[use.source] = known.try_emplace(key, use.source).first->second;
+  }
+  point_maps_at_first(first, scene);
+}
+
 }  // namespace
 
 void read_images(const AssetArrays& arrays, std::uint64_t budget_bytes, Scene& scene) {
+  merge_equal(arrays, scene);
   std::vector<MapUse> uses = map_uses(scene);
   for (MapUse& use : uses) {
     const AssetImage& image = arrays.images[static_cast<std::size_t>(use.source)];

@@ -59,7 +59,8 @@ void copy_any(const Accessor& a, Component component, const std::byte* from, std
 
 }  // namespace
 
-Bytes::Bytes(const Document& document, const Container& container) : document_(document) {
+Bytes::Bytes(const Document& document, const Container& container)
+    : document_(document), read_bytes_(container.bytes.size()) {
   for (std::size_t i = 0; i < document.buffers.size(); ++i)
     buffers_.push_back(buffer_bytes(document.buffers[i], i, container));
 }
@@ -70,6 +71,7 @@ Bytes::Shared Bytes::file_bytes(const std::filesystem::path& path) {
     file = std::make_shared<const std::vector<std::byte>>(
         read_file(path, std::min(budget_bytes_, std::uint64_t{2} << 30)));
     budget_bytes_ -= file->size();
+    read_bytes_ += file->size();
   }
   return file;
 }

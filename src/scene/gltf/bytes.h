@@ -32,6 +32,8 @@ class Bytes {
   /// 4 GiB. Both arguments must outlive this.
   Bytes(const Document& document, const Container& container);
 
+  /// Returns how many bytes were read from files so far, each file once.
+  std::uint64_t read_bytes() const { return read_bytes_; }
   /// Returns the bytes of a bufferView, decompressed if necessary; valid as long as this.
   std::span<const std::byte> view(int index);
   /// Returns all elements of an accessor, `components()` numbers each, normalised integers converted, sparse
@@ -59,6 +61,7 @@ class Bytes {
   std::map<std::filesystem::path, Shared> files_;        ///< many buffers may share one file
   std::map<int, std::vector<std::byte>> decompressed_;   ///< by bufferView
   std::uint64_t budget_bytes_ = std::uint64_t{4} << 30;  ///< remaining bytes that may be read
+  std::uint64_t read_bytes_ = 0;
 };
 
 /// Decodes EXT_meshopt_compression. Throws InputError (place `where`) for damaged data or a size that the

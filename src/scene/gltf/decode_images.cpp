@@ -4,6 +4,8 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <string>
+#include <tuple>
 
 #include "core/error.h"
 #include "core/hooks.h"
@@ -11,6 +13,7 @@
 #include "core/parallel.h"
 #include "image/codec.h"
 #include "scene/gltf/finish.h"
+#include "scene/kept_pictures.h"
 #include "scene/texture_budget.h"
 
 namespace dermis::scene::gltf {
@@ -20,14 +23,24 @@ namespace {
 // The most that decoders may hold at a time beside the pictures that they return.
 constexpr std::uint64_t passing_limit_bytes = 1'000'000'000;
 
-/// What the header of a picture says.
+/// What is known of a picture before it is decoded.
 struct Header {
   image::PictureHeader picture;
-  std::uint64_t encoded_bytes = 0;
+  PictureKey key;
 };
 
-std::string place_of(const Document& document, int source) {
+std::string name_of(const Document& document, int source) {
   return fmt::format("{}: image '{}'", document.file, one_line(document.images[source].name, 80));
+}
+
+/// Where a picture lies: a uri, or a part of a buffer.
+using ImagePlace = std::tuple<std::string, int, std::uint64_t, std::uint64_t>;
+ImagePlace place_of(const Document& document, int source) {
+  const ImageSource& image = document.images[source];
+  if (image.view < 0) return {*image.uri, -1, 0, 0};
+  const BufferView& view = document.views[image.view];
+  if (view.meshopt) return {"", -1 - image.view, 0, 0};
+  return {"", view.buffer, view.offset, view.length};
 }
 
 /// Admits threads while the bytes that they hold together are within the limit; always admits one alone.
@@ -63,18 +76,42 @@ class Pass {
   std::uint64_t bytes_;
 };
 
+/// Reads the headers of all pictures that materials use, and points the maps of equal pictures at the first
+/// of them: exporters write an image for each texture.
+std::map<int, Header> read_headers(const Document& document, Bytes& bytes, const image::DecodeLimits& limits,
+                                   Scene& scene) {
+  std::map<int, Header> headers;
+  std::map<PictureKey, int> by_bytes;
+  std::map<ImagePlace, int> by_place;  // what is named twice is read once
+  std::map<int, int> first;
+  for (const MapUse& use : map_uses(scene)) {
+    if (first.contains(use.source)) continue;
+    const auto [place, is_new] = by_place.try_emplace(place_of(document, use.source), use.source);
+    if (is_new) {
+      const EncodedImage encoded = bytes.image(use.source);
+      const PictureKey key = key_of(encoded.bytes());
+      const auto [same, is_first] = by_bytes.try_emplace(key, use.source);
+      place->second = same->second;
+      if (is_first)
+        headers[use.source] = {image::read_header8(encoded.bytes(), name_of(document, use.source), limits),
+                               key};
+    }
+    first[use.source] = place->second;
+  }
+
+  point_maps_at_first(first, scene);
+  return headers;
+}
+
 }  // namespace
 
 void decode_images(const Document& document, Bytes& bytes, const ImageLimits& limits, Scene& scene) {
   image::DecodeLimits decode;
   decode.max_side = limits.max_side;
+  const std::map<int, Header> headers = read_headers(document, bytes, decode, scene);
   std::vector<MapUse> uses = map_uses(scene);
-  std::map<int, Header> headers;  // by source
   for (MapUse& use : uses) {
-    const EncodedImage encoded = bytes.image(use.source);
-    const image::PictureHeader header =
-        image::read_header8(encoded.bytes(), place_of(document, use.source), decode);
-    headers[use.source] = {header, encoded.bytes().size()};
+    const image::PictureHeader& header = headers.at(use.source).picture;
     use.name = document.images[use.source].name;
     use.full_width = header.width;
     use.full_height = header.height;
@@ -88,14 +125,15 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
   parallel_for(decoded.size(), [&](std::size_t i) {
     const MapUse& use = *decoded[i];
     const Header& header = headers.at(use.source);
-    const std::string where = place_of(document, use.source);
+    const std::string where = name_of(document, use.source);
     const image::Shrink shrink{.halvings = use.halvings, .srgb = use.colour};
-    const Pass pass(gate, header.encoded_bytes + image::passing_bytes(header.picture, shrink));
     try {
-      const EncodedImage encoded = bytes.image(use.source);
-      auto pixels =
-          std::make_shared<const image::Image8>(image::decode_image8(encoded.bytes(), where, decode, shrink));
-      scene.images[i] = {use.name, std::move(pixels)};
+      scene.images[i] = {use.name, kept_picture(header.key, shrink, [&] {
+                           const Pass pass(gate,
+                                           header.key.bytes + image::passing_bytes(header.picture, shrink));
+                           const EncodedImage encoded = bytes.image(use.source);
+                           return image::decode_image8(encoded.bytes(), where, decode, shrink);
+                         })};
     } catch (const std::bad_alloc&) {
       throw input_error(
           where, "needs more memory than there is for {} x {} pixels; a smaller texture_budget_mb takes less",

@@ -51,8 +51,17 @@ void check_common(const Value& object) {
   for (const std::string& key : extensions->keys()) extensions->at(key).object();
 }
 
+// What `{}` stands for takes half a kilobyte as a node, and over one as a material.
+void check_sizes(const Value& root) {
+  constexpr std::pair<const char*, std::size_t> limits[] = {{"nodes", 1'000'000}, {"materials", 65'536}};
+  for (const auto& [collection, most] : limits)
+    if (const auto list = root.find(collection); list && list->is_array() && list->array_size(0) > most)
+      list->fail("has {} elements, the limit is {}", list->array_size(0), most);
+}
+
 void check_collections(const Value& root) {
   check_common(root);
+  check_sizes(root);
   for (const char* collection : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
                                  "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"})
     root.for_each(collection, check_common);

@@ -56,7 +56,7 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
     play(clip, options.time_s.value_or(0), pose);
     take_pose(pose, document);
   }
-  check_limits(document, options);
+  check_limits(document, bytes.read_bytes(), options);
 
   Scene scene;
   scene.name = path.filename().string();

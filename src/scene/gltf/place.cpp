@@ -19,6 +19,11 @@ namespace {
 // Limit on work: vertices times active morph targets, per vertex limit.
 constexpr std::uint64_t morph_passes = 2;
 
+// Primitives and nodes that name the same accessors cost a file a few bytes, and memory for each vertex: so
+// many copies are free, beyond them the file must have grown. The densest Draco data that we know holds about
+// 4 vertices per byte.
+constexpr std::uint64_t free_vertices = 8'000'000, vertices_per_byte = 16;
+
 constexpr std::uint64_t largest_source_mesh = std::numeric_limits<int>::max();
 
 /// Applies the node's morph targets to the local mesh (glTF 2.0, 3.7.2.2).
@@ -196,8 +201,10 @@ std::vector<int> first_source_meshes(const Document& document) {
   return first;
 }
 
-void check_limits(const Document& document, const LoadOptions& options) {
-  const std::uint64_t max_triangles = options.max_triangles, max_vertices = max_triangles * 3;
+void check_limits(const Document& document, std::uint64_t read_bytes, const LoadOptions& options) {
+  const std::uint64_t max_triangles = options.max_triangles;
+  const std::uint64_t max_vertices =
+      std::min<std::uint64_t>(max_triangles * 3, free_vertices + read_bytes * vertices_per_byte);
   std::uint64_t triangles = 0, vertices = 0, morphed = 0, skipped = 0;
 
   for (const int n : shown_nodes(document)) {
@@ -219,7 +226,8 @@ void check_limits(const Document& document, const LoadOptions& options) {
       if (triangles > max_triangles)
         throw input_error(document.file, "has more than {} triangles, the limit", max_triangles);
       if (vertices > max_vertices)
-        throw input_error(document.file, "has more than {} vertices, the limit", max_vertices);
+        throw input_error(document.file, "has more than {} vertices, the limit for a file of {} bytes",
+                          max_vertices, read_bytes);
       if (morphed > max_vertices * morph_passes)
         throw input_error(document.file, "has more morph targets at work than can be applied");
     }

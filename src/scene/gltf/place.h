@@ -49,9 +49,10 @@ struct Placed {
 Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumbers& materials,
                     const LoadOptions& options, bool keep_moving);
 
-/// Compares what the file claims with the limits before any of it is read. Throws InputError if a limit is
-/// exceeded or there are no triangles.
-void check_limits(const Document& document, const LoadOptions& options);
+/// Compares what the file claims with the limits before any of it is read: those of `options`, and the
+/// vertices of all copies with the bytes of the file and its buffers, `read_bytes`. Throws InputError if a
+/// limit is exceeded or there are no triangles.
+void check_limits(const Document& document, std::uint64_t read_bytes, const LoadOptions& options);
 
 /// Throws InputError if there are more nodes of skin with texture coordinates than can be lit separately.
 void check_skin_nodes(const Document& document, const MaterialNumbers& materials);

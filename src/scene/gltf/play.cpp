@@ -69,6 +69,12 @@ void check_rotations(const Document& document, const std::string& place, const K
   }
 }
 
+// One at a time: a file may have tens of thousands.
+std::string animation_name(const Document& document, std::size_t animation) {
+  const std::string& name = document.animations[animation].name;
+  return name.empty() ? std::to_string(animation) : name;
+}
+
 KeyFrames read_key_frames(const Document& document, Bytes& bytes, const AnimationSource::Sampler& sampler,
                           const Shape& shape, const std::string& place) {
   KeyFrames keys{.interpolation = sampler.interpolation,
@@ -105,7 +111,7 @@ std::size_t targets_of(const Document& document, int node) {
 
 Clip read_clip(const Document& document, Bytes& bytes, std::size_t animation) {
   const AnimationSource& source = document.animations[animation];
-  Clip clip{.name = animation_names(document)[animation], .key_frames = {}, .channels = {}};
+  Clip clip{.name = animation_name(document, animation), .key_frames = {}, .channels = {}};
   for (const AnimationSource::Channel& channel : source.channels) {
     if (channel.node < 0 || !channel.path) continue;
     const Node& node = document.nodes[channel.node];
@@ -147,8 +153,7 @@ void take_pose(const Pose& pose, Document& document) {
 
 std::vector<std::string> animation_names(const Document& document) {
   std::vector<std::string> names;
-  for (const AnimationSource& animation : document.animations)
-    names.push_back(animation.name.empty() ? std::to_string(names.size()) : animation.name);
+  for (std::size_t i = 0; i < document.animations.size(); ++i) names.push_back(animation_name(document, i));
   return names;
 }
 
