@@ -1,29 +1,31 @@
 # SPDX-License-Identifier: MIT
-# dermis_shaders(TARGET files...)
+# dermis_shaders(TARGET files... [PREFIX folder/])
 #   Compiles each .comp, .vert or .frag with glslc at build time and embeds the SPIR-V in the target, which
 #   must be of the calling folder (CMake ties build rules to it). Adds one source that defines
 #     std::span<const std::uint32_t> dermis::NAME::find_shader(std::string_view name);
-#   where NAME is the target without "dermis_" and name is the file's name ("blur.comp"): unique within the
-#   target, whatever folder it lies in. Empty span: no such shader. Headers that a shader includes are
-#   tracked. #include is relative to src/ or to the including file.
+#   where NAME is the target without "dermis_" and name is the file's name ("blur.comp"), after PREFIX: unique
+#   within the target, whatever folder it lies in. Empty span: no such shader. Headers that a shader includes
+#   are tracked. #include is relative to src/ or to the including file.
 # Not optimised by glslc: -O strips the names that specialisation constants are found by; drivers optimise
 # anyway.
 
 function(dermis_shaders target)
+  cmake_parse_arguments(S "" "PREFIX" "" ${ARGN})
   find_program(GLSLC glslc)
   if(NOT GLSLC)
     message(FATAL_ERROR "glslc not found: it compiles the shaders (Debian, Ubuntu: apt install glslc)")
   endif()
   string(REGEX REPLACE "^dermis_" "" space ${target})
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/shaders_${target})
-  file(MAKE_DIRECTORY ${folder})
+  file(MAKE_DIRECTORY ${folder}/${S_PREFIX})
   set(names "")
   set(codes "")
   set(ARRAYS "")
   set(ROWS "")
-  foreach(file IN LISTS ARGN)
+  foreach(file IN LISTS S_UNPARSED_ARGUMENTS)
     cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE source)
     cmake_path(GET source FILENAME name)
+    string(PREPEND name "${S_PREFIX}")
     if(name IN_LIST names)
       message(FATAL_ERROR "${target} has two shaders named ${name}: shaders are found by name, so rename one")
     endif()

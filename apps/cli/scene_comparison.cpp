@@ -258,6 +258,7 @@ class Run {
         add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
     }
 
+    if (techniques::find_technique(name).as_published) return;
     RenderSettings last = bench::shaded_in_compute(bench::with_cascade(s));
     last.quality.cull = last.quality.depth = last.quality.clip = true;
     if (!same_switches(last.quality, s.quality) && bench::has_plan(scene_, last))

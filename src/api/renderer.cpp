@@ -11,9 +11,9 @@
 #include "api/scene_state.h"
 #include "api/shader_scope.h"
 #include "dermis/vulkan.h"
-#include "passes/shaders.h"
 #include "settings/names.h"
 #include "setup/frame_setup.h"
+#include "techniques/shaders.h"
 
 namespace dermis {
 namespace {
@@ -35,13 +35,13 @@ gpu::ShaderSource ShaderScope::current() { return innermost ? innermost->shaders
 Renderer::State::State(const Options& wanted)
     : options(wanted),
       device({.select = wanted.device, .validate = wanted.validate}),
-      library(device, passes::find_shader, gpu::default_pipeline_cache(), VK_NULL_HANDLE,
+      library(device, techniques::find_any_shader, gpu::default_pipeline_cache(), VK_NULL_HANDLE,
               api::ShaderScope::current()) {}
 
 Renderer::State::State(const vulkan::Host& host, const Hooks& hooks)
     : options{.hooks = hooks},
       device(host),
-      library(device, passes::find_shader, gpu::default_pipeline_cache(), host.pipeline_cache,
+      library(device, techniques::find_any_shader, gpu::default_pipeline_cache(), host.pipeline_cache,
               host.find_shader) {}
 
 std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {

@@ -148,8 +148,10 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
 
 // From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would
 // not be bit-equal.
-passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const DeviceTraits& device) {
-  if (!s.quality.mask) return device.software ? passes::SkipUnlit::by_depth : passes::SkipUnlit::by_tiles;
+passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const techniques::Technique& technique,
+                                    const DeviceTraits& device) {
+  const bool drawn = device.software || technique.as_published;
+  if (!s.quality.mask) return drawn ? passes::SkipUnlit::by_depth : passes::SkipUnlit::by_tiles;
   switch (*s.quality.mask) {
     case BlurMask::alpha: return passes::SkipUnlit::by_alpha;
     case BlurMask::depth: return passes::SkipUnlit::by_depth;
@@ -213,6 +215,16 @@ void check_screen_space(const FrameSetup& setup) {
                     setup.technique->name, MOST_PARTS, MOST_TRIANGLES, MOST_SHADED_PIXELS);
 }
 
+// Its maps are those of heads that stand as their files have them, in a picture of ours.
+void check_published(const FrameSetup& setup) {
+  if (!setup.technique->as_published) return;
+  if (setup.plan.host)
+    throw input_error("", "technique '{}' draws no frames of a host; take texture-space",
+                      setup.technique->name);
+  if (setup.plan.poses)
+    throw input_error("", "technique '{}' takes no poses; take texture-space", setup.technique->name);
+}
+
 void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
                  const std::vector<scene::Light>& lights, const DeviceTraits& device, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
@@ -242,7 +254,9 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
 
   if (setup.technique->has_light_maps) {
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
-    plan.skip_unlit = choose_skip_unlit(s, device);
+    plan.skip_unlit = choose_skip_unlit(s, *setup.technique, device);
+  }
+  if (setup.technique->has_light_maps && !setup.technique->as_published) {
     plan.progressive = s.quality.maps == LightMaps::progressive;
     plan.texel_maps = choose_irradiance(s.quality) == IrradianceBy::compute && !plan.host_lights();
     plan.cascade = s.quality.blur == BlurOrder::cascade;
@@ -287,7 +301,7 @@ void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& set
   const techniques::SkinPart* worst = nullptr;
   for (const techniques::SkinPart& part : setup.plan.skin)
     if (part.coarse && (!worst || part.least_texels_per_mm < worst->least_texels_per_mm)) worst = &part;
-  if (!worst || !setup.technique->has_light_maps) return;
+  if (!worst || !setup.technique->has_light_maps || setup.technique->as_published) return;
 
   const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
   const Subject& subject = *subjects[source.instance];
@@ -358,9 +372,10 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   setup.plan.keep_shadows = s.quality.keep_shadows && s.output.show == "picture" &&
                             can_keep_shadows(setup.plan, *setup.technique, device, every_view);
   check_screen_space(setup);
+  check_published(setup);
   check_unscattered(setup.plan);
   const bool in_compute = choose_shading(s.quality) == Shading::compute || setup.technique->screen_space;
-  setup.plan.shade_entries = in_compute && setup.plan.can_shade_entries();
+  setup.plan.shade_entries = in_compute && !setup.technique->as_published && setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

@@ -59,7 +59,8 @@ gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double sca
 
 // Leaves the laws of shape in a profile that is to follow them.
 void choose_shape(gaussians::SumOfGaussians& profile, const RenderSettings& s) {
-  const bool can_follow = techniques::find_technique(s.technique).has_light_maps;
+  const techniques::Technique& technique = techniques::find_technique(s.technique);
+  const bool can_follow = technique.has_light_maps && !technique.as_published;
   if (s.skin.shape_aware == true && can_follow && !profile.shape)
     throw input_error(
         "",

@@ -52,8 +52,8 @@ double heads_in_shadow(double shadow_mb, const RenderSettings& s, const DeviceTr
 
 }  // namespace
 
-// As many heads as the pool holds at a time; of a head with more skin meshes than that, as many meshes. Only
-// the published baseline uses one set of maps for one head after the other.
+// As many heads as the pool holds at a time; of a head with more skin meshes than that, as many meshes. As
+// published, one set of maps serves one skin mesh after the other.
 void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& technique,
                  const PoolHeads& heads, const RenderSettings& s, const DeviceTraits& device) {
   plan.heads_per_batch = 1;
@@ -70,6 +70,7 @@ void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& t
                       budget, s.quality.map_size, std::ceil(largest_mb));
 
   plan.square_side = side_of_squares(plan.map_size, heads.most_side);
+  if (technique.as_published) return;
   const techniques::MapMemory memory = techniques::map_memory(technique, plan);
   const std::uint32_t squares = squares_in_budget(budget, mb(memory.light_maps), plan.square_side, device);
   const std::uint32_t meshes = plan.most_meshes();

@@ -6,6 +6,7 @@
 #include "techniques/burley_disc/burley_disc.h"
 #include "techniques/lambert/lambert.h"
 #include "techniques/pre_integrated/pre_integrated.h"
+#include "techniques/published/published.h"
 #include "techniques/screen_gaussians/screen_gaussians.h"
 #include "techniques/separable/separable.h"
 #include "techniques/technique.h"
@@ -22,6 +23,7 @@ constexpr std::array all{
     &separable,
     &burley_disc,
     &pre_integrated,
+    &published,
 };
 // clang-format on
 

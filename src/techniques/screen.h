@@ -47,6 +47,10 @@ class Screen {
   /// draws no picture.
   void add_skin(const std::vector<SkinOnScreen>& skin,
                 const std::function<std::string(std::string_view)>& name_of);
+  /// For skin that a pass of the technique draws: the target that it, or a layer over it, is drawn into, made
+  /// at the first call; and true at the first call only: that pass clears colour and depth.
+  frame::TextureId colour();
+  bool take_clear();
   /// Adds skin shaded in parts, of which `surface` takes what is blurred. blurred: the share of each skin
   /// mesh of the plan. Needs add_entries().
   void add_split_skin(const std::vector<passes::MapSquare>& skin, const std::vector<gaussians::Rgb>& blurred,
@@ -69,10 +73,6 @@ class Screen {
   FrameOutputs finish();
 
  private:
-  // Returns true at the first call only: the pass that draws first clears colour and depth, or the layer.
-  bool take_clear();
-  // Returns the target that skin, or a layer over it, is drawn into, and makes it at the first call.
-  frame::TextureId colour();
   gpu::TextureDesc target(VkFormat format) const;
   bool shaded() const { return entries_.entries.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;

@@ -236,6 +236,9 @@ struct Technique {
   std::string_view summary;    ///< one line, for help texts
   bool uses_profile = true;    ///< light spreads as the material's profile says
   bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
+  /// As the papers have it: skin is lit and shaded where it is drawn, one skin mesh after the other, with
+  /// masks that are drawn. Takes no poses and no hosts, and knows no laws of shape.
+  bool as_published = false;
   /// Skin is shaded as entries, whatever the settings say, as by techniques that blur light in the picture.
   bool screen_space = false;
   bool curvature = false;  ///< it needs GpuMesh::welded

@@ -74,9 +74,9 @@ TEST_F(CompareScene, EveryTechniqueCostAndErrorPerRegion) {
     EXPECT_EQ(t.at("error").at("skin").at("share"), 1);
   }
 
-  EXPECT_EQ(techniques,
-            (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert",
-                                      "screen-gaussians", "separable", "burley-disc", "pre-integrated"}));
+  EXPECT_EQ(techniques, (std::vector<std::string>{"texture-space", "texture-space, one Gaussian", "lambert",
+                                                  "screen-gaussians", "separable", "burley-disc",
+                                                  "pre-integrated", "published", "published, one Gaussian"}));
   EXPECT_EQ(j.at("techniques")[0].at("gaussians"), 6);
   EXPECT_EQ(j.at("techniques")[1].at("gaussians"), 1);
   EXPECT_EQ(j.at("techniques")[2].at("gaussians"), 0);
@@ -252,7 +252,7 @@ TEST_F(CompareScene, WhatMakesNoSense) {
   };
 
   refuse({"--techniques", "oil"},
-         "all, texture-space, lambert, screen-gaussians, separable, burley-disc, pre-integrated");
+         "all, texture-space, lambert, screen-gaussians, separable, burley-disc, pre-integrated, published");
   refuse({"--techniques", "all,lambert"}, "'all'");
   refuse({"--supersample", "0"}, "--supersample");
   refuse({"--supersample", "17"}, "--supersample");

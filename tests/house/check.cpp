@@ -72,11 +72,26 @@ std::string resolve(const SourceFile& from, const std::string& include, const st
   return first && rules.contains(*first) ? "src/" + include : include;
 }
 
+/// The papers' technique stands alone: it shares no pass but what counts, and the list alone knows it.
+std::string judge_published(const std::string& from, const std::string& to) {
+  const std::string_view own = "src/techniques/published/";
+  const bool of_a_pass = to.starts_with("src/passes/") && folder_at(to, 2) && folder_at(to, 2) != "count",
+             of_another = to.starts_with("src/techniques/") && folder_at(to, 2) && !to.starts_with(own);
+  if (from.starts_with(own)) {
+    if (of_a_pass) return "the papers' technique has passes of its own";
+    return of_another ? "the papers' technique knows no other" : "";
+  }
+  return to.starts_with(own) && from != "src/techniques/all.cpp"
+             ? "the list alone knows the papers' technique"
+             : "";
+}
+
 std::string judge_include(const SourceFile& file, const std::string& target, const Rules& rules) {
   const auto to = room_of(target);
   if (!to) return {};
   const auto from = room_of(file.path);
   if (!from) return "a public header includes a file of src/";
+  if (std::string broken = judge_published(file.path, target); !broken.empty()) return broken;
   if (*from == *to) {
     // What lies in src/passes itself is shared by the passes; a folder there is one pass, and only its own
     // files may know it.

@@ -41,7 +41,8 @@ class MadeUpTree {
 };
 
 constexpr const char* house_txt =
-    "core: \ngpu: core\nframe: gpu\nscene: core\npasses: frame\npasses_blur: scene\n";
+    "core: \ngpu: core\nframe: gpu\nscene: core\npasses: frame\npasses_blur: scene\n"
+    "techniques: passes\n";
 
 house::Rules rules_of(const std::string& text, const std::set<std::string>& rooms) {
   return house::close_over(house::read_dependencies(text, rooms));
@@ -50,7 +51,7 @@ house::Rules rules_of(const std::string& text, const std::set<std::string>& room
 house::Violations includes(const MadeUpTree& tree) {
   const auto files = tree.read();
   auto rooms = house::rooms_of(files);
-  rooms.insert({"core", "gpu", "frame", "scene", "passes"});
+  rooms.insert({"core", "gpu", "frame", "scene", "passes", "techniques"});
   return house::check_includes(files, rules_of(house_txt, rooms));
 }
 
@@ -106,6 +107,25 @@ TEST(HouseCheck, FindsAPassThatIncludesAnother) {
   EXPECT_TRUE(one_about(includes(tree), "a pass is included from outside its folder"));
 }
 
+TEST(HouseCheck, FindsWhatThePapersTechniqueShares) {
+  const std::string folder = "src/techniques/published/";
+  for (const auto& [from, to] : {std::pair{folder + "final.frag", std::string("passes/blur/blur.glsl")},
+                                 {folder + "final.cpp", "techniques/lambert/lambert.h"},
+                                 {"src/techniques/screen.h", "techniques/published/final.h"}}) {
+    MadeUpTree tree;
+    tree.add(from, "#include \"" + to + "\"\n").add("src/" + to, "");
+    EXPECT_TRUE(one_about(includes(tree), "the papers' technique")) << from;
+  }
+
+  MadeUpTree tree;
+  tree.add(folder + "final.cpp", "#include \"passes/count/count.h\"\n#include \"passes/bindings.h\"\n")
+      .add("src/passes/count/count.h", "")
+      .add("src/passes/bindings.h", "")
+      .add("src/techniques/all.cpp", "#include \"techniques/published/final.h\"\n")
+      .add(folder + "final.h", "");
+  EXPECT_EQ(includes(tree), house::Violations{});
+}
+
 TEST(HouseCheck, FindsASharedPassHeaderThatIncludesAPass) {
   MadeUpTree tree;
   tree.add("src/passes/shared.h", "#include \"shadow/shadow.h\"\n")
@@ -117,10 +137,11 @@ TEST(HouseCheck, FindsASharedPassHeaderThatIncludesAPass) {
 }
 
 TEST(HouseCheck, WritesTheDependencyTable) {
-  const auto dependencies = house::read_dependencies(house_txt, {"core", "gpu", "frame", "scene", "passes"});
+  const auto dependencies =
+      house::read_dependencies(house_txt, {"core", "gpu", "frame", "scene", "passes", "techniques"});
   EXPECT_EQ(house::dependency_table(dependencies),
             "```\ncore\ngpu        -> core\nframe      -> gpu\nscene      -> core\npasses     -> frame, "
-            "scene\n```\n");
+            "scene\ntechniques -> passes\n```\n");
 }
 
 TEST(HouseCheck, FindsAPublicHeaderThatIncludesTheInside) {

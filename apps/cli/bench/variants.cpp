@@ -4,14 +4,21 @@
 namespace dermis::cli::bench {
 namespace {
 
-// As published: skin is lit and shaded where it is drawn, and light spreads from narrow to wide.
 RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
-  s.quality.shading = Shading::raster;
-  s.quality.blur = BlurOrder::chain;
-  s.quality.irradiance = IrradianceBy::raster;
+  s.technique = "published";
   s.quality.cull = cull, s.quality.depth = depth, s.quality.clip = clip;
   s.quality.skip_unseen_heads = true;
   s.quality.keep_shadows = false;
+  return s;
+}
+
+// The same by texture-space: each step beyond the papers is taken alone, from the way they have it.
+RenderSettings stepwise(RenderSettings s) {
+  s.technique = "texture-space";
+  s.quality.maps = LightMaps::full;
+  s.quality.shading = Shading::raster;
+  s.quality.blur = BlurOrder::chain;
+  s.quality.irradiance = IrradianceBy::raster;
   return s;
 }
 
@@ -28,6 +35,7 @@ RenderSettings at_edge(RenderSettings s) {
 }
 
 RenderSettings progressive(RenderSettings s) {
+  s = stepwise(s);
   s.quality.maps = LightMaps::progressive;
   return s;
 }
@@ -38,7 +46,7 @@ RenderSettings lit(RenderSettings s, std::optional<IrradianceBy> by) {
 }
 
 RenderSettings unscattered(RenderSettings s) {
-  s = with(s, false, false, false);
+  s = stepwise(with(s, false, false, false));
   s.technique = "lambert";
   return s;
 }
@@ -76,27 +84,26 @@ std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
   if (common.quality.clip_margin_mm != 0.0)
     all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper",
                    at_edge(common)});
-  if (common.quality.maps == LightMaps::full) {
-    all.push_back({progressive_key, "prog maps",
-                   "the baseline, every head, with progressive maps: wide Gaussians on smaller ones",
-                   progressive(every_head(common))});
-    all.push_back({optimised_progressive_key, "all prog", "all with progressive maps",
-                   progressive(with(common, true, true, true))});
-  }
+  all.push_back({progressive_key, "prog maps",
+                 "every head, by texture-space with progressive maps: wide Gaussians on smaller ones",
+                 progressive(every_head(common))});
+  all.push_back({optimised_progressive_key, "all prog", "all, by texture-space with progressive maps",
+                 progressive(with(common, true, true, true))});
 
-  const RenderSettings optimised = with(common, true, true, true);
+  const RenderSettings optimised = stepwise(with(common, true, true, true));
   if (cascade)
     all.push_back({cascade_key, "cascade",
-                   "all, with the cascade of blurs, from wide to narrow on a pyramid of maps",
+                   "all, by texture-space with the cascade of blurs, wide to narrow on a pyramid of maps",
                    with_cascade(optimised), true});
-  all.push_back({shading_key, "ids", "all, with skin drawn as ids and shaded in compute",
+  all.push_back({shading_key, "ids", "all, by texture-space with skin drawn as ids and shaded in compute",
                  shaded_in_compute(optimised), true});
-  all.push_back({texels_key, "texels", "all, with the texels of the light maps lit in compute",
+  all.push_back({texels_key, "texels", "all, by texture-space with the texels of light maps lit in compute",
                  lit(optimised, IrradianceBy::compute), true});
   const RenderSettings computed = lit(shaded_in_compute(cascade ? with_cascade(optimised) : optimised), {});
   if (cascade)
     all.push_back({compute_key, "compute",
-                   "all, with the cascade, with ids, and lit where that is fastest here", computed, true});
+                   "all, by texture-space with the cascade, with ids, and lit where that is fastest here",
+                   computed, true});
   all.push_back({still_key, "still",
                  cascade ? "compute, where heads and lights stand still: their shadow maps are kept"
                          : "all, in compute, where heads and lights stand still: their shadow maps are kept",

@@ -23,9 +23,10 @@ inline constexpr const char* skipping_key = "skip";
 inline constexpr const char* optimised_key = "all";  ///< whose speed-up and picture are reported
 /// clipped at the very edge of the picture, as in [JG08]
 inline constexpr const char* at_edge_key = "all_margin_0";
-inline constexpr const char* progressive_key = "progressive";  ///< the baseline with progressive maps
+/// as the baseline, by texture-space with progressive maps
+inline constexpr const char* progressive_key = "progressive";
 inline constexpr const char* optimised_progressive_key = "all_progressive";
-/// all, with each of the steps beyond the paper alone; `compute` is all with the first two
+/// all, by texture-space, with each of the steps beyond the paper alone; `compute` is all with the first two
 inline constexpr const char* cascade_key = "all_cascade";
 inline constexpr const char* shading_key = "all_shading";
 inline constexpr const char* texels_key = "all_texels";

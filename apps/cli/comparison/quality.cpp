@@ -58,9 +58,11 @@ void add_taps(const RenderSettings& common, const techniques::Technique& techniq
     }
 }
 
-void add_maps(const RenderSettings& common, std::vector<QualitySetting>& to) {
+void add_maps(const RenderSettings& common, const techniques::Technique& technique,
+              std::vector<QualitySetting>& to) {
   for (const bool cascade : {false, true})
     for (const int divisor : map_divisors) {
+      if (cascade && technique.as_published) continue;
       RenderSettings s = common;
       if (cascade) s = bench::shaded_in_compute(bench::with_cascade(s));
       s.quality.map_size = common.quality.map_size / divisor;
@@ -80,7 +82,7 @@ std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSet
 
   std::vector<QualitySetting> wanted;
   if (technique.taps.most > 0) add_taps(s, technique, wanted);
-  if (technique.has_light_maps) add_maps(s, wanted);
+  if (technique.has_light_maps) add_maps(s, technique, wanted);
   if (wanted.empty()) wanted.push_back({.curve = name, .label = name, .settings = s});
 
   std::vector<QualitySetting> possible;

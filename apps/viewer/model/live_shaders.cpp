@@ -13,7 +13,7 @@
 #include "core/file.h"
 #include "dermis/cancelled.h"
 #include "gpu/replaced_shader.h"
-#include "passes/shaders.h"
+#include "techniques/shaders.h"
 
 namespace dermis::viewer {
 namespace {
@@ -26,6 +26,13 @@ constexpr auto look_every = 400ms;
 bool is_shader(const fs::path& file) {
   const fs::path ending = file.extension();
   return ending == ".comp" || ending == ".vert" || ending == ".frag";
+}
+
+// As the library finds it: the passes of a technique by its folder and their file, others by their file.
+std::string shader_name(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  const std::string name = file.filename().string();
+  return folder.parent_path().filename() == "techniques" ? folder.filename().string() + "/" + name : name;
 }
 
 bool may_matter(const fs::path& file) {
@@ -109,9 +116,9 @@ bool ShaderFolder::depends_on(const fs::path& file, const std::vector<fs::path>&
 }
 
 void ShaderFolder::compile(const fs::path& shader, const std::atomic<bool>& stop) {
-  const std::string name = shader.filename().string();
+  const std::string name = shader_name(shader);
   const std::string code = output_.path() + "/code.spv", said = output_.path() + "/said.txt";
-  const std::span<const std::uint32_t> ours = passes::find_shader(name);
+  const std::span<const std::uint32_t> ours = techniques::find_any_shader(name);
 
   // As cmake/DermisShaders.cmake does.
   const bool good = run_program(
@@ -142,8 +149,8 @@ bool ShaderFolder::refresh(const std::atomic<bool>& stop) {
   bool any = false;
   for (const auto& entry : times_) {
     const fs::path& file = entry.first;
-    const std::string name = file.filename().string();
-    if (!is_shader(file) || passes::find_shader(name).empty()) continue;
+    const std::string name = shader_name(file);
+    if (!is_shader(file) || techniques::find_any_shader(name).empty()) continue;
     // What was wrong may be right now, if it waited for a file that was not there.
     if (!errors_.contains(name) && !depends_on(file, changed)) continue;
     compile(file, stop);

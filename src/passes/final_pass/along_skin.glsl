@@ -13,3 +13,11 @@ AlongSkin along_triangle(vec3 a, vec3 b, vec3 c, vec2 unwrap_a, vec2 unwrap_b, v
   const vec2 to_b = unwrap_b - unwrap_a, to_c = unwrap_c - unwrap_a;
   return AlongSkin(to_b.x * of_b + to_c.x * of_c, to_b.y * of_b + to_c.y * of_c);
 }
+
+// Where the skin is on its light map.
+struct OnMap {
+  vec2 unwrap;      // in its triangle
+  float uv_per_mm;  // texture coordinates
+  vec4 shape;       // body_shape()
+  AlongSkin along;
+};

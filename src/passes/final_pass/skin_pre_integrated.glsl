@@ -2,7 +2,8 @@
 // As skin_radiance.glsl with no terms, but light that enters has scattered over a ball as bent as the skin
 // here, and over the edges of shadows: tables, no blur. Based on: [Pen11] and [FW14] of
 // gaussians/pre_integrated.h.
-#include "passes/final_pass/skin_answer.glsl"
+#include "shaders/skin_answer.glsl"
+#include "passes/final_pass/along_skin.glsl"
 #include "passes/final_pass/wide_shadow.glsl"
 #ifdef THROUGH
 #include "passes/final_pass/through_at_pixel.glsl"

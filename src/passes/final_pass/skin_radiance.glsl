@@ -2,7 +2,8 @@
 // Light from the skin to the camera: the scattered light of its texels (or, with no terms, the light that
 // enters at the pixel), the part of the albedo that is applied afterwards, two specular lobes, and emission.
 // THROUGH: with transmitted light. Needs `io` (FinalPassIo).
-#include "passes/final_pass/skin_answer.glsl"
+#include "shaders/skin_answer.glsl"
+#include "passes/final_pass/along_skin.glsl"
 #include "shared/gutters_io.h"
 #ifdef THROUGH
 #include "shaders/skin_through.glsl"
@@ -34,7 +35,7 @@ vec3 mapped_weight(int term, OnMap on) {
   return (1.0 - coarse_share(terms.sigma_mm[term], on.uv_per_mm)) * io.weights[term];
 }
 
-#include "passes/final_pass/light_left.glsl"
+#include "shaders/light_left.glsl"
 
 vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
   if (progressive) {

@@ -2,7 +2,8 @@
 // As skin_radiance.glsl with no terms, in parts: techniques in screen space blur what enters before it
 // leaves. THROUGH: with transmitted light. Based on: [JWS10] Jimenez, Whelan, Sundstedt, Gutierrez: Real-Time
 // Realistic Skin Translucency. CG&A 30(4), 2010
-#include "passes/final_pass/skin_answer.glsl"
+#include "shaders/skin_answer.glsl"
+#include "passes/final_pass/along_skin.glsl"
 #ifdef THROUGH
 #include "passes/final_pass/through_at_pixel.glsl"
 #endif

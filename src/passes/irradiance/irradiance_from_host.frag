@@ -5,7 +5,7 @@
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
-#include "passes/irradiance/cut_chart.glsl"
+#include "shaders/cut_chart.glsl"
 layout(binding = 24) uniform sampler2D host_irradiance;
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;

@@ -12,7 +12,7 @@
 #else
 #define TARGETS 1
 #endif
-#include "passes/irradiance/cut_chart.glsl"
+#include "shaders/cut_chart.glsl"
 
 struct LitTexel {
   vec4 group[TARGETS];

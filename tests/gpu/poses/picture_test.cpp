@@ -18,6 +18,7 @@
 #include "scene/rig.h"
 #include "support/assets.h"
 #include "support/log_lines.h"
+#include "support/thrown.h"
 
 namespace dermis::tests {
 namespace {
@@ -80,7 +81,7 @@ TEST_F(PosedPictures, AreThoseOfTheAssetLoadedInThatPose) {
 // Each technique, and each way that texture space has, draws a head that has moved as one that was loaded so.
 TEST_F(PosedPictures, OfEveryTechniqueAreThoseOfTheAssetLoadedInThatPose) {
   std::vector<RenderSettings> all;
-  for (const std::string& name : technique_names())
+  for (const std::string& name : other_than_published())
     for (const Shading shading : {Shading::raster, Shading::compute}) {
       RenderSettings& s = all.emplace_back(close_up(128, 256));
       s.technique = name;
@@ -111,6 +112,16 @@ TEST_F(PosedPictures, OfEveryTechniqueAreThoseOfTheAssetLoadedInThatPose) {
     EXPECT_EQ(found.statistics.unshaded_reads, 0u);
     EXPECT_EQ(found.statistics.transmission_misses, 0u);
   }
+}
+
+TEST_F(PosedPictures, AreNotForThePublishedTechnique) {
+  Scene scene = lit(*asset_);
+  RenderSettings s = close_up(32, 64);
+  s.technique = "published";
+  EXPECT_NO_THROW(renderer().render(scene, s));
+  scene.pose(scene.instances().front(), "performance", 1.3);
+  const std::string said = thrown<InputError>([&] { renderer().render(scene, s); });
+  EXPECT_NE(said.find("takes no poses; take texture-space"), std::string::npos) << said;
 }
 
 // Gutters bring light across cuts of the unwrap, from places that are found once, on the shape as it was

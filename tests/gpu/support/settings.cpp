@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/support/settings.h"
 
+#include "dermis/renderer.h"
 #include "gaussians/json.h"
 #include "support/files.h"
 
@@ -12,6 +13,12 @@ RenderSettings small_settings(const std::string& technique, int side, int map_si
   s.output.width = s.output.height = side;
   s.quality.map_size = s.quality.shadow_size = map_side;
   return s;
+}
+
+std::vector<std::string> other_than_published() {
+  std::vector<std::string> names = technique_names();
+  std::erase(names, "published");
+  return names;
 }
 
 RenderSettings in_a_furnace(RenderSettings s) {

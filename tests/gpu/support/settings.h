@@ -14,6 +14,10 @@ namespace dermis::tests {
 RenderSettings small_settings(const std::string& technique = "texture-space", int side = 128,
                               int map_side = 256);
 
+/// Returns the names of all techniques but `published`, which takes neither poses nor hosts, and has one way
+/// to shade.
+std::vector<std::string> other_than_published();
+
 /// White light from everywhere and white skin: what is skin must be 1.
 RenderSettings in_a_furnace(RenderSettings settings);
 

@@ -11,6 +11,7 @@
 #include "gpu/support/settings.h"
 #include "scene/primitives.h"
 #include "settings/names.h"
+#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -70,7 +71,8 @@ void expect_nothing_stale(const Scene& scene, RenderSettings s) {
     for (const int side : picture.statistics.used_size)
       if (heads == 1) smallest = std::min(smallest, side);
   }
-  EXPECT_EQ(smallest < s.quality.map_size, s.quality.depth && s.technique == "texture-space")
+  EXPECT_EQ(smallest < s.quality.map_size,
+            s.quality.depth && techniques::find_technique(s.technique).has_light_maps)
       << "no square is used in part";
 }
 

@@ -7,6 +7,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -125,7 +126,7 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
     for (const char* key : {"images", "buffers", "peak"}) EXPECT_GT(j.at("memory_bytes").at(key), 0) << key;
     EXPECT_TRUE(j.at("texels").at("used_size").is_array());
 
-    const bool has_maps = technique == "texture-space";
+    const bool has_maps = techniques::find_technique(technique).has_light_maps;
     EXPECT_EQ(j.at("optimise"),
               has_maps ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
     EXPECT_EQ(j.at("maps"), has_maps ? nlohmann::json("full") : nlohmann::json());

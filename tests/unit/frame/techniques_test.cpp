@@ -180,9 +180,11 @@ TEST(TechniqueFrames, GrowByThePassOfLabels) {
 }
 
 // Heads go through each pass together, of however many assets they are.
+// As published, one head goes through all of them after the other.
 TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
   for (const techniques::Technique* technique : techniques::techniques())
     for (const bool progressive : {false, true}) {
+      if (technique->as_published) continue;
       const auto passes_of = [&](std::uint32_t heads, std::uint32_t models) {
         techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
         set_heads(s, heads, models, true);

@@ -121,7 +121,8 @@ std::vector<Value> values_for(const std::string& path, const About& about) {
   } else if constexpr (std::is_same_v<Value, std::string>) {
     static const std::map<std::string, std::vector<std::string>> texts{
         {"technique",
-         {"texture-space", "lambert", "screen-gaussians", "separable", "burley-disc", "pre-integrated"}},
+         {"texture-space", "lambert", "screen-gaussians", "separable", "burley-disc", "pre-integrated",
+          "published"}},
         {"camera.name", {"", "side"}},
         {"lighting.environment", {"", "studio"}},
         {"skin.profile", {"skin", profile_file()}},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How skin answers light at a point beside what it scatters: what it emits, and how it mirrors its
-// surroundings. Common part of skin_radiance.glsl and skin_split.glsl.
+// surroundings.
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
 #include "shaders/skin_lights.glsl"
@@ -16,16 +16,6 @@ vec3 skin_normal(ShadingPoint s) {
   return detailed ? detailed_normal(map, map_normal, material.maps[MAP_DETAIL], map_detail, s)
                   : mapped_normal(map, map_normal, s);
 }
-
-#include "passes/final_pass/along_skin.glsl"
-
-// Where the skin is on its light map.
-struct OnMap {
-  vec2 unwrap;      // in its triangle
-  float uv_per_mm;  // texture coordinates
-  vec4 shape;       // body_shape()
-  AlongSkin along;
-};
 
 vec3 emitted(ShadingPoint s) {
   const MapIo map = material.maps[MAP_EMISSIVE];

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+/// What spreads the light of an object: masks of unlit texels, seams, one axis of a Gaussian, and light
+/// through the body that joins.
+/// Based on: [DLE07] sec. 3.3; [JG08] sec. 3
+#pragma once
+
+#include "passes/compute_pass.h"
+#include "passes/light_mask.h"
+#include "techniques/published/kernels.h"
+#include "techniques/published/object.h"
+
+namespace dermis::techniques::papers {
+
+/// Fills unlit texels beside lit ones: border.comp.
+class Border : public passes::ComputePass {
+ public:
+  struct Settings {
+    Object object;
+  } settings;
+  struct In {
+    frame::TextureId light, stretch;  ///< `light` is changed in place
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+};
+
+/// Refreshes the texels beside seams: seams.comp, with the list that scene/gutters.h makes.
+class Seams : public passes::ComputePass {
+ public:
+  struct Settings {
+    Object object;
+    bool of_stretch = false;   ///< `target` is a stretch map, which is made once
+    std::uint32_t step = ~0u;  ///< leaves out objects whose convolutions begin after this one
+  } settings;
+  struct In {
+    frame::TextureId target;  ///< changed in place
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+};
+
+/// Marks the texels that hold light in a depth buffer: depth_mask.frag.
+class DepthMask {
+ public:
+  struct Settings {
+    Object object;
+  } settings;
+  struct In {
+    frame::TextureId light, mask;  ///< mask: D32
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  const gpu::Pipeline* pipeline_ = nullptr;
+};
+
+/// One axis of one step: blur.frag.
+class Blur {
+ public:
+  struct Settings {
+    Object object;
+    Step step;
+    std::uint32_t number = 0;  ///< of the step
+    std::uint32_t axis = 0;    ///< 0, then 1
+    bool alpha_test = false;   ///< unlit texels are skipped by their alpha
+  } settings;
+  struct In {
+    frame::TextureId light;  ///< after the step before
+    frame::TextureId start;  ///< before any step: an object may begin with this one, by its total_mm2
+    frame::TextureId stretch, target;
+    frame::TextureId depth_mask;  ///< valid: it skips unlit texels
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  const gpu::Pipeline* pipeline_ = nullptr;
+  gpu::Buffer kernels_;
+};
+
+/// Adds light through the body to what has spread: through.comp.
+class JoinThrough : public passes::ComputePass {
+ public:
+  struct Settings {
+    Object object;
+    std::uint32_t next_step = 0;
+  } settings;
+  struct In {
+    frame::TextureId light, start;  ///< as Blur
+    frame::TextureId through;       ///< changed in place to the sum
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+};
+
+}  // namespace dermis::techniques::papers
