@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/output.h"
+#include "cli/picture_hints.h"
 #include "cli/progress.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -73,6 +74,7 @@ void render(const RenderArguments& a, int& exit_status) {
   }
 
   picture.save(a.output);
+  if (a.settings.output.show == OutputSettings().show) hint_at_picture(picture, a.output.ends_with(".png"));
   save_settings(a);
   save_scene(a, scene);
   if (!a.stats.empty()) write_text(a.stats, picture.statistics.json());

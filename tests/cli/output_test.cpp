@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is written: complete or not at all, and only JSON where JSON was asked for. Too little memory ends as
 // any other error.
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -42,6 +43,34 @@ TEST_F(Output, AFullDiskIsAnErrorThatLeavesNothing) {
 
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   expect_refused(run({"plan", scene, "-o", "/dev/full"}), "/dev/full: cannot be written");
+}
+
+// A lamp in candela, as a file of another program may have it: a white picture says which exposure it needs.
+TEST_F(Output, APictureOverWhiteNamesTheExposure) {
+  const Result white = render({head(), "--light", "0,10,2000"});
+  ASSERT_TRUE(expect_rendered(white));
+  const std::string says = "of the skin is over white: output.exposure_ev (--exposure) ";
+  const std::size_t at = white.err.find(says);
+  ASSERT_NE(at, std::string::npos) << white.err;
+  const std::string exposure =
+      white.err.substr(at + says.size(), white.err.find(' ', at + says.size()) - at - says.size());
+  EXPECT_NEAR(std::stod(exposure), std::log2(0.4 / 2000), 3) << "an albedo of 0.1 to 1 under 2000";
+
+  const Result right = render({head(), "--light", "0,10,2000", "--exposure", exposure});
+  ASSERT_TRUE(expect_rendered(right));
+  EXPECT_EQ(right.err, "");
+  EXPECT_EQ(run({"render", head(), "--light", "0,10,2000", "--size", "48x48", "-o",
+                 (folder() / "linear.exr").string()})
+                .err,
+            "");
+}
+
+TEST_F(Output, APictureWithoutSkinSaysSo) {
+  const Result away = render({head(), "--eye", "0,0,1", "--target", "0,0,2"});
+  ASSERT_TRUE(expect_rendered(away));
+  EXPECT_NE(away.err.find("no skin is in the picture: camera.orbit_deg (--orbit)"), std::string::npos)
+      << away.err;
+  EXPECT_EQ(render({head()}).err, "");
 }
 
 TEST_F(Output, StatisticsAloneOnStandardOutput) {
