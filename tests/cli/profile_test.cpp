@@ -83,7 +83,7 @@ TEST_F(Profile, AFullDiskIsAnError) {
 }
 
 TEST_F(Profile, HelpNamesUnitsAndDefaults) {
-  const Result help = run({"profile", "--help"});
+  const Result help = run({"profile", "--help-all"});
   EXPECT_EQ(help.status, 0);
   for (const char* text : {"per mm", "1/mm^2", "=500000", "=6", "=shared", "(default 0.7",
                            "1000 to 1000000000", "0.01 to 2 mm", "terms of the sum, 1 to 8"})
