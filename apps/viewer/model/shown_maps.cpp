@@ -12,13 +12,13 @@
 namespace dermis::viewer {
 namespace {
 
-std::string_view help_of_show() {
-  std::string_view help;
+std::string_view values_of_show() {
+  std::string_view values;
   const OutputSettings settings;
   for_each_setting(settings, [&](const std::string& path, const About& about, const auto&, std::string_view) {
-    if (path == "show") help = about.help;
+    if (path == "show") values = about.values;
   });
-  return help;
+  return values;
 }
 
 void add_labels(PixelValues& pixel, const Labels& labels, const Statistics& statistics, std::size_t i) {
@@ -58,11 +58,11 @@ void add_irradiance(PixelValues& pixel, const LightMap& map, const Statistics& s
 
 std::vector<std::string> shown_map_names(int gaussians, int lights) {
   std::vector<std::string> names;
-  std::string_view rest = help_of_show();
+  std::string_view rest = values_of_show();
   while (!rest.empty()) {
-    const std::size_t comma = rest.find(", ");
-    const std::string name(rest.substr(0, comma));
-    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 2);
+    const std::size_t bar = rest.find('|');
+    const std::string name(rest.substr(0, bar));
+    rest = bar == std::string_view::npos ? std::string_view{} : rest.substr(bar + 1);
     if (!name.ends_with(":K")) {
       names.push_back(name);
       continue;
