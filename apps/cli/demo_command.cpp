@@ -202,8 +202,10 @@ void add_demo_command(CLI::App& app, int& exit_status) {
   command
       ->add_option("--scan", arguments->scan,
                    "assets/heads/lee-perry-smith.gltf with its files; without it the built-in head is drawn")
+      ->type_name("FILE")
       ->default_str("");
-  command->add_option("-o,--output", arguments->folder, "folder of the pictures and demo.html");
+  command->add_option("-o,--output", arguments->folder, "folder of the pictures and demo.html")
+      ->type_name("FOLDER");
   add_device_arguments(*command, arguments->on);
   command->callback([arguments, &exit_status] { run(*arguments, exit_status); });
 }
