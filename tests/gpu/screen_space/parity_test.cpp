@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
@@ -15,10 +15,15 @@
 namespace dermis::tests {
 namespace {
 
-// Samples of a pixel that show one surface are shaded together, in every technique.
-RenderSettings shaded_in_compute(const std::string& technique, int samples) {
+// Samples of a pixel that show one surface are shaded together, in every technique but `published`, which is
+// drawn, and held against what is drawn.
+Shading shading_of(const std::string& technique) {
+  return technique == "published" ? Shading::raster : Shading::compute;
+}
+
+RenderSettings shaded(const std::string& technique, int samples, Shading shading) {
   RenderSettings s = small_settings(technique);
-  s.quality.shading = Shading::compute;
+  s.quality.shading = shading;
   s.quality.samples = samples;
   s.output.bloom = 0;
   return s;
@@ -34,18 +39,19 @@ double largest_roundings(const Picture& a, const Picture& b) {
   return most;
 }
 
-RenderSettings without_width(const std::string& technique, int samples, ScreenKernel kernel) {
-  RenderSettings s = with_profile(shaded_in_compute(technique, samples), "no width",
+RenderSettings without_width(const std::string& technique, int samples, ScreenKernel kernel,
+                             Shading shading) {
+  RenderSettings s = with_profile(shaded(technique, samples, shading), "no width",
                                   {{.variance_mm2 = 0, .weight = {1, 1, 1}}});
   s.quality.kernel = kernel;
   return s;
 }
 
-// Drawn once for all techniques.
-const Picture& lambert_without_width(const Scene& scene, int samples, ScreenKernel kernel) {
-  static std::map<std::pair<int, ScreenKernel>, Picture> drawn;
-  const auto [at, added] = drawn.try_emplace({samples, kernel});
-  if (added) at->second = renderer().render(scene, without_width("lambert", samples, kernel));
+// Drawn once for all techniques that are shaded alike.
+const Picture& lambert_without_width(const Scene& scene, int samples, ScreenKernel kernel, Shading shading) {
+  static std::map<std::tuple<int, ScreenKernel, Shading>, Picture> drawn;
+  const auto [at, added] = drawn.try_emplace({samples, kernel, shading});
+  if (added) at->second = renderer().render(scene, without_width("lambert", samples, kernel, shading));
   return at->second;
 }
 
@@ -57,12 +63,13 @@ INSTANTIATE_TEST_SUITE_P(Techniques, ZeroWidth, testing::ValuesIn(technique_name
 // blurred.
 TEST_P(ZeroWidth, EveryTechniqueMakesThePictureOfLambert) {
   const Scene scene = subject("built-in head").open();
+  const Shading shading = shading_of(GetParam());
   for (const int samples : {1, 4})
     for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published}) {
       SCOPED_TRACE(std::to_string(samples) + " samples");
-      const Picture& lambert = lambert_without_width(scene, samples, kernel);
+      const Picture& lambert = lambert_without_width(scene, samples, kernel, shading);
       EXPECT_GT(skin_range(lambert).mean[0], 0.01);
-      const Picture drawn = renderer().render(scene, without_width(GetParam(), samples, kernel));
+      const Picture drawn = renderer().render(scene, without_width(GetParam(), samples, kernel, shading));
       EXPECT_LE(largest_roundings(lambert, drawn), 2);
     }
 }
@@ -71,7 +78,7 @@ TEST_P(ZeroWidth, EveryTechniqueMakesThePictureOfLambert) {
 TEST_P(ZeroWidth, APartWithoutWidthIsLitAtThePixel) {
   const Scene scene = subject("built-in head").open();
   const auto drawn = [&](const std::string& name, const std::vector<gaussians::Gaussian>& terms) {
-    RenderSettings s = with_profile(shaded_in_compute(GetParam(), 4), name, terms);
+    RenderSettings s = with_profile(shaded(GetParam(), 4, shading_of(GetParam())), name, terms);
     s.skin.translucency = false;
     return renderer().render(scene, s);
   };
