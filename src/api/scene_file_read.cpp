@@ -5,7 +5,6 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
-#include <ranges>
 
 #include "api/rig_pose.h"
 #include "api/scene_file.h"
@@ -138,7 +137,7 @@ class Reader {
 
   std::string known_assets(const std::string& wanted) const {
     if (asset_numbers_.empty()) return "the file has no assets";
-    return listed_names(wanted, std::views::keys(asset_numbers_));
+    return listed_names(wanted, asset_numbers_);
   }
 
   /// Returns the transform that stands as its parts, if it does.
@@ -192,8 +191,7 @@ class Reader {
     }
     const auto found = ids_by_name_.find(json.text());
     if (found == ids_by_name_.end())
-      json.fail("no instance is called '{}'; {}", json.text(),
-                listed_names(json.text(), std::views::keys(ids_by_name_)));
+      json.fail("no instance is called '{}'; {}", json.text(), listed_names(json.text(), ids_by_name_));
     if (found->second.size() > 1)
       json.fail("{} instances are called '{}'; give the number of one, from 0", found->second.size(),
                 json.text());

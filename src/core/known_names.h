@@ -12,9 +12,15 @@ namespace dermis {
 /// Names to choose from; views of what the caller holds.
 class KnownNames {
  public:
+  /// A list of texts, or a map by them.
   template <class Range>
-  KnownNames(const Range& names) {  // NOLINT(google-explicit-constructor): any list of texts will do
-    for (const auto& name : names) names_.emplace_back(name);
+  KnownNames(const Range& names) {  // NOLINT(google-explicit-constructor)
+    for (const auto& name : names) {
+      if constexpr (requires { name.first; })
+        names_.emplace_back(name.first);
+      else
+        names_.emplace_back(name);
+    }
   }
   KnownNames(std::initializer_list<std::string_view> names) : names_(names) {}
 
