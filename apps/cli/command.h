@@ -73,7 +73,7 @@ struct DeviceArguments {
 void add_device_arguments(CLI::App& command, DeviceArguments& arguments);
 CLI::Option* add_device_option(CLI::App& command, std::string& device);
 
-/// What the viewer is asked for.
+/// Arguments of the viewer.
 struct ViewArguments : SceneArguments {
   DeviceArguments on;
   bool scripted = false, live_shaders = false;

@@ -35,7 +35,7 @@ const CLI::App& command_of(const CLI::App& app) {
   return given.empty() ? app : *given.front();
 }
 
-// What could stand in the place of a word: options with a group, others are hidden; and commands.
+// Candidates for a word: commands, and options with a group; others are hidden.
 std::vector<std::string> words_of(const CLI::App& command) {
   std::vector<std::string> words;
   for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; }))
