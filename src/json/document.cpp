@@ -100,10 +100,40 @@ class Checker : public nlohmann::json_sax<Json> {
 struct Document::Parsed {
   std::string file;
   Json json;
+  LeftOut left_out;
 };
 
+namespace {
+
+void leave_out_empty(Json& json, const std::string& place, bool counts, LeftOut& left_out) {
+  if (json.is_array()) {
+    for (std::size_t i = 0; i < json.size(); ++i)
+      if (json[i].is_structured()) leave_out_empty(json[i], place_of_element(place, i), counts, left_out);
+    return;
+  }
+  for (auto member = json.begin(); member != json.end();) {
+    Json& value = member.value();
+    const std::string& key = member.key();
+    if (key == "extras") {
+      ++member;
+      continue;
+    }
+    if (value.is_null() || (value.is_array() && value.empty())) {
+      left_out.count += counts ? 1 : 0;
+      if (counts && left_out.first.size() < 3) left_out.first.push_back(place_of_member(place, key));
+      member = json.erase(member);
+      continue;
+    }
+    if (value.is_structured())
+      leave_out_empty(value, place_of_member(place, key), counts && key != "extensions", left_out);
+    ++member;
+  }
+}
+
+}  // namespace
+
 Document::Document(std::string_view text, std::string file, const Limits& limits)
-    : parsed_(std::make_unique<Parsed>(Parsed{std::move(file), {}})) {
+    : parsed_(std::make_unique<Parsed>(Parsed{std::move(file), {}, {}})) {
   Checker checker(parsed_->file, limits);
   Json::sax_parse(text.begin(), text.end(), &checker);
 
@@ -112,12 +142,15 @@ Document::Document(std::string_view text, std::string file, const Limits& limits
   } catch (const Json::exception& error) {
     throw input_error(parsed_->file, "is not valid JSON: {}", short_reason(error.what()));
   }
+  if (limits.empty_is_absent && parsed_->json.is_structured())
+    leave_out_empty(parsed_->json, "", true, parsed_->left_out);
 }
 
 Document::~Document() = default;
 Document::Document(Document&&) noexcept = default;
 Document& Document::operator=(Document&&) noexcept = default;
 
+const LeftOut& Document::left_out() const { return parsed_->left_out; }
 Value Document::root() const { return {parsed_->json, parsed_->file, ""}; }
 
 Document load(const std::filesystem::path& path, std::uint64_t most_bytes, const Limits& limits) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "json/value.h"
 
@@ -19,6 +20,15 @@ struct Limits {
   /// Whether an object may hold a key twice. The last of them counts then, in silence: for formats that do
   /// not forbid it.
   bool repeated_keys = false;
+  /// Whether members that are null or an empty array are read as if they were not there, but for "extras" and
+  /// what is below them. For formats whose writers have such members.
+  bool empty_is_absent = false;
+};
+
+/// Members that were left out, see Limits::empty_is_absent. Those of extensions do not count.
+struct LeftOut {
+  std::size_t count = 0;
+  std::vector<std::string> first;  ///< places of the first three
 };
 
 /// A parsed text. Values point into it and may not outlive it.
@@ -31,6 +41,7 @@ class Document {
   Document& operator=(Document&&) noexcept;
 
   Value root() const;
+  const LeftOut& left_out() const;
 
  private:
   struct Parsed;

@@ -32,6 +32,7 @@ bool Value::is_object() const { return json_->is_object(); }
 bool Value::is_array() const { return json_->is_array(); }
 bool Value::is_text() const { return json_->is_string(); }
 bool Value::is_number() const { return json_->is_number(); }
+bool Value::is_boolean() const { return json_->is_boolean(); }
 bool Value::is_integer() const {
   if (json_->is_number_integer()) return true;
   return json_->is_number_float() && std::floor(json_->get<double>()) == json_->get<double>();
@@ -42,9 +43,12 @@ const Value& Value::object() const {
   return *this;
 }
 
-double Value::number(double least, double most) const {
+double Value::any_number() const {
   if (!is_number()) expected("a number");
-  const auto value = json_->get<double>();
+  return json_->get<double>();
+}
+double Value::number(double least, double most) const {
+  const double value = any_number();
   if (value >= least && value <= most) return value;
 
   const bool no_least = least <= -max_number, no_most = most >= max_number;
@@ -167,11 +171,6 @@ std::vector<int> Value::indices(const char* key, std::size_t size, const char* w
 
   std::vector<int> values(found->array_size());
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = found->element(i).as_index(size, what);
-
-  std::vector<int> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    found->fail("names {} {} twice", what, *twice);
   return values;
 }
 

@@ -49,6 +49,7 @@ class Value {
   // What this value is. Each fails with place and expected type, or the range.
   const Value& object() const;
   double number(double least = -max_number, double most = max_number) const;
+  double any_number() const;  ///< of any size
   /// An integer; 3.0 is one.
   std::uint64_t count(std::uint64_t least = 0, std::uint64_t most = max_count) const;
   /// Any integer of 64 bits without a sign, to the last bit; 3.0 is none.
@@ -64,6 +65,7 @@ class Value {
   bool is_array() const;
   bool is_text() const;
   bool is_number() const;
+  bool is_boolean() const;
   bool is_integer() const;
 
   // Members of this object.
@@ -91,7 +93,7 @@ class Value {
   /// An index below `size` of what is called `what`; absent: -1.
   int index_or_none(const char* key, std::size_t size, const char* what) const;
   int index(const char* key, std::size_t size, const char* what) const;  ///< required
-  /// Each different, each below `size`; absent: empty.
+  /// Each below `size`; absent: empty.
   std::vector<int> indices(const char* key, std::size_t size, const char* what) const;
 
   /// This value as JSON on one line, its keys sorted: equal values give equal texts.

@@ -59,7 +59,10 @@ std::vector<MapUse> map_uses(const Scene& scene) {
 void point_maps_at_first(const std::map<int, int>& first, Scene& scene) {
   for (Material& m : scene.materials)
     for_each_map(m, [&](MapRef& map, bool) {
-      if (map.present()) map.image = first.at(map.image);
+      if (!map.present()) return;
+      const int image = first.at(map.image);
+      if (image < 0) map = {};
+      map.image = image;
     });
 }
 
@@ -102,6 +105,7 @@ void point_maps_at_images(const std::vector<MapUse>& uses, Scene& scene) {
     for_each_map(m, [&](MapRef& map, bool colour) {
       if (!map.present()) return;
       const auto use = std::ranges::lower_bound(uses, std::pair(map.image, colour), {}, &MapUse::key);
+      if (use->image < 0) map = {};
       map.image = use->image;
     });
 }

@@ -35,7 +35,8 @@ struct MapUse {
 /// and sizes. MapRef::image is still a number of the source.
 std::vector<MapUse> map_uses(const Scene& scene);
 
-/// Points the maps of equal pictures at one of them: `first`, by the number in the source.
+/// Points the maps of equal pictures at one of them: `first`, by the number in the source; -1 leaves them
+/// out.
 void point_maps_at_first(const std::map<int, int>& first, Scene& scene);
 
 /// Halves the largest map (the first of equal ones) until all are within the budget. One note lists them;
@@ -47,7 +48,7 @@ void fit_to_budget(const std::string& file, std::uint64_t budget_bytes, std::vec
 /// `uses`.
 std::vector<const MapUse*> number_images(std::vector<MapUse>& uses);
 
-/// Points the maps of all materials at Scene::images.
+/// Points the maps of all materials at Scene::images; those of a use without an image are left out.
 void point_maps_at_images(const std::vector<MapUse>& uses, Scene& scene);
 
 }  // namespace dermis::scene

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/file.h"
+#include "scene/gltf/lenient.h"
 #include "scene/gltf/uri.h"
 
 namespace dermis::scene::gltf {
@@ -61,8 +62,10 @@ void copy_any(const Accessor& a, Component component, const std::byte* from, std
 
 Bytes::Bytes(const Document& document, const Container& container)
     : document_(document), read_bytes_(container.bytes.size()) {
-  for (std::size_t i = 0; i < document.buffers.size(); ++i)
-    buffers_.push_back(buffer_bytes(document.buffers[i], i, container));
+  for (std::size_t i = 0; i < document.buffers.size(); ++i) {
+    std::span<const std::byte>& bytes = buffers_.emplace_back();
+    faults_.push_back(fault_of([&] { bytes = buffer_bytes(document.buffers[i], i, container); }));
+  }
 }
 
 Bytes::Shared Bytes::file_bytes(const std::filesystem::path& path) {
@@ -85,8 +88,7 @@ std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t
   if (!buffer.uri) {
     bytes = *container.binary;
     if (bytes.size() > buffer.byte_length + glb_padding_bytes)
-      throw input_error(where, "byteLength is {}, the binary chunk has {} bytes", buffer.byte_length,
-                        bytes.size());
+      warn_in(where, "byteLength is {}, the binary chunk has {} bytes", buffer.byte_length, bytes.size());
   } else if (auto data = data_uri(*buffer.uri, where)) {
     embedded_.push_back(std::make_shared<const std::vector<std::byte>>(std::move(*data)));
     bytes = *embedded_.back();
@@ -95,21 +97,27 @@ std::span<const std::byte> Bytes::buffer_bytes(const Buffer& buffer, std::size_t
   }
 
   if (bytes.size() < buffer.byte_length)
-    throw input_error(where, "is cut off: byteLength is {}, there are {} bytes", buffer.byte_length,
-                      bytes.size());
-  return bytes.first(buffer.byte_length);
+    warn_in(where, "is cut off: byteLength is {}, there are {} bytes", buffer.byte_length, bytes.size());
+  return bytes.first(std::min<std::uint64_t>(bytes.size(), buffer.byte_length));
 }
 
 std::span<const std::byte> Bytes::part(int buffer, std::uint64_t offset, std::uint64_t length) const {
-  // Ranges were checked against byteLength; only a buffer without any bytes can be shorter.
-  if (buffers_[buffer].empty())
+  check_fault(faults_[static_cast<std::size_t>(buffer)]);
+  // Ranges were checked against byteLength, which a buffer may not have.
+  const std::span<const std::byte> bytes = buffers_[static_cast<std::size_t>(buffer)];
+  if (length == 0) return {};
+  if (bytes.empty())
     throw input_error(document_.file, "buffers[{}]: is used, but has neither a uri nor a binary chunk",
                       buffer);
-  return buffers_[buffer].subspan(offset, length);
+  if (offset > bytes.size() || length > bytes.size() - offset)
+    throw input_error(document_.file, "buffers[{}]: is cut off: bytes {} to {} are used, there are {}",
+                      buffer, offset, offset + length, bytes.size());
+  return bytes.subspan(offset, length);
 }
 
 std::span<const std::byte> Bytes::view(int index) {
   const BufferView& view = document_.views[index];
+  check_fault(view.fault);
   if (!view.meshopt) return part(view.buffer, view.offset, view.length);
   const auto [entry, is_new] = decompressed_.try_emplace(index);
   if (is_new) {
@@ -123,14 +131,15 @@ std::span<const std::byte> Bytes::view(int index) {
 template <class T>
 std::vector<T> Bytes::elements(int index) {
   const Accessor& a = document_.accessors[index];
+  check_fault(a.fault);
   const std::size_t components = a.components();
   std::vector<T> out(a.count * components);
 
-  if (a.view >= 0) {
+  if (a.view >= 0 && a.count > 0) {
     const std::uint64_t stride = stride_bytes(a, document_.views[a.view]);
     copy_any(a, a.component, view(a.view).data() + a.offset, a.count, stride, out.data());
   }
-  if (!a.sparse) return out;
+  if (!a.sparse || a.sparse->count == 0) return out;
 
   const Sparse& sparse = *a.sparse;
   const Accessor scalar;  // shape of the sparse indices
@@ -141,10 +150,12 @@ std::vector<T> Bytes::elements(int index) {
   copy_any(a, a.component, view(sparse.values_view).data() + sparse.values_offset, sparse.count,
            stride_bytes(a, BufferView{}), values.data());
 
+  if (!std::is_sorted(where.begin(), where.end()))
+    warn_at(document_.file, a.place + ".sparse", "its indices do not increase");
   for (std::size_t i = 0; i < where.size(); ++i) {
-    if (where[i] >= a.count || (i > 0 && where[i] <= where[i - 1]))
-      throw input_error(document_.file, "{}.sparse: index {} is {}; they must increase and stay below {}",
-                        a.place, i, where[i], a.count);
+    if (where[i] >= a.count)
+      throw input_error(document_.file, "{}.sparse: index {} is {}; it must be below {}", a.place, i,
+                        where[i], a.count);
     std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
                 out.begin() + static_cast<std::ptrdiff_t>(where[i] * components));
   }
@@ -156,6 +167,7 @@ std::vector<std::uint32_t> Bytes::integers(int accessor) { return elements<std::
 
 EncodedImage Bytes::image(int index) {
   const ImageSource& image = document_.images[index];
+  check_fault(image.fault);
   if (image.view >= 0) return EncodedImage(view(image.view));
   const std::string where = fmt::format("{}: images[{}]", document_.file, index);
   if (auto data = data_uri(*image.uri, where)) return EncodedImage(std::move(*data));

@@ -28,8 +28,8 @@ class EncodedImage {
 
 class Bytes {
  public:
-  /// Reads every buffer. Throws InputError if a file is missing or shorter than its byteLength, or all exceed
-  /// 4 GiB. Both arguments must outlive this.
+  /// Reads every buffer; one that cannot be read (no such file, all exceed 4 GiB) throws when it is used, and
+  /// so does what one that is too short lacks. Both arguments must outlive this.
   Bytes(const Document& document, const Container& container);
 
   /// Returns how many bytes were read from files so far, each file once.
@@ -57,6 +57,7 @@ class Bytes {
 
   const Document& document_;
   std::vector<std::span<const std::byte>> buffers_;
+  std::vector<std::string> faults_;  ///< by buffer; empty: none
   std::vector<Shared> embedded_;
   std::map<std::filesystem::path, Shared> files_;        ///< many buffers may share one file
   std::map<int, std::vector<std::byte>> decompressed_;   ///< by bufferView

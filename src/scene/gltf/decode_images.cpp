@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -13,6 +14,7 @@
 #include "core/parallel.h"
 #include "image/codec.h"
 #include "scene/gltf/finish.h"
+#include "scene/gltf/lenient.h"
 #include "scene/kept_pictures.h"
 #include "scene/texture_budget.h"
 
@@ -37,6 +39,7 @@ std::string name_of(const Document& document, int source) {
 using ImagePlace = std::tuple<std::string, int, std::uint64_t, std::uint64_t>;
 ImagePlace place_of(const Document& document, int source) {
   const ImageSource& image = document.images[source];
+  if (!image.fault.empty()) return {image.fault, -1, 0, 0};
   if (image.view < 0) return {*image.uri, -1, 0, 0};
   const BufferView& view = document.views[image.view];
   if (view.meshopt) return {"", -1 - image.view, 0, 0};
@@ -76,31 +79,76 @@ class Pass {
   std::uint64_t bytes_;
 };
 
+/// Returns the pictures that skin cannot do without: its colour, and what extras.dermis names.
+std::set<int> needed_pictures(const Scene& scene) {
+  std::set<int> needed;
+  for (const Material& m : scene.materials) {
+    if (!m.skin) continue;
+    const SkinMaterial& skin = m.skin_settings;
+    for (const MapRef* map :
+         {&m.base_colour_map, &skin.specular, &skin.roughness, &skin.displacement, &skin.detail})
+      if (map->present()) needed.insert(map->image);
+  }
+  return needed;
+}
+
+/// Warns of a picture that cannot be read, and that nothing needs. Else throws InputError.
+void leave_out(const Document& document, int source, bool needed, const std::string& fault) {
+  if (needed) check_fault(fault);
+  warn_of_fault(document.file, "pictures that cannot be read are left out", document.images[source].name,
+                fault, "the maps that it is for are left out");
+}
+
+/// What is known of the pictures of a scene, each once.
+struct Pictures {
+  std::map<int, Header> headers;  ///< by source
+  std::set<int> needed;           ///< sources
+};
+
 /// Reads the headers of all pictures that materials use, and points the maps of equal pictures at the first
 /// of them: exporters write an image for each texture.
-std::map<int, Header> read_headers(const Document& document, Bytes& bytes, const image::DecodeLimits& limits,
-                                   Scene& scene) {
-  std::map<int, Header> headers;
+Pictures read_headers(const Document& document, Bytes& bytes, const image::DecodeLimits& limits,
+                      Scene& scene) {
+  const std::set<int> needed = needed_pictures(scene);
+  Pictures pictures;
   std::map<PictureKey, int> by_bytes;
   std::map<ImagePlace, int> by_place;  // what is named twice is read once
   std::map<int, int> first;
+  const auto read = [&](int source) {
+    const EncodedImage encoded = bytes.image(source);
+    const PictureKey key = key_of(encoded.bytes());
+    if (const auto same = by_bytes.find(key); same != by_bytes.end()) return same->second;
+    pictures.headers[source] = {image::read_header8(encoded.bytes(), name_of(document, source), limits), key};
+    return by_bytes[key] = source;
+  };
+
   for (const MapUse& use : map_uses(scene)) {
     if (first.contains(use.source)) continue;
-    const auto [place, is_new] = by_place.try_emplace(place_of(document, use.source), use.source);
-    if (is_new) {
-      const EncodedImage encoded = bytes.image(use.source);
-      const PictureKey key = key_of(encoded.bytes());
-      const auto [same, is_first] = by_bytes.try_emplace(key, use.source);
-      place->second = same->second;
-      if (is_first)
-        headers[use.source] = {image::read_header8(encoded.bytes(), name_of(document, use.source), limits),
-                               key};
+    const bool is_needed = needed.contains(use.source);
+    const auto [place, is_new] = by_place.try_emplace(place_of(document, use.source), -1);
+    // One that failed where nothing needed it fails again where something does.
+    if (is_new || (place->second < 0 && is_needed)) {
+      const std::string fault = fault_of([&] { place->second = read(use.source); });
+      if (!fault.empty()) leave_out(document, use.source, is_needed, fault);
     }
     first[use.source] = place->second;
+    if (is_needed) pictures.needed.insert(place->second);
   }
-
   point_maps_at_first(first, scene);
-  return headers;
+  return pictures;
+}
+
+/// Removes pictures that could not be decoded.
+void drop_undecoded(Scene& scene, std::vector<MapUse>& uses) {
+  std::vector<int> number(scene.images.size(), -1);
+  std::vector<MapImage> kept;
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
+    if (!scene.images[i].pixels) continue;
+    number[i] = static_cast<int>(kept.size());
+    kept.push_back(std::move(scene.images[i]));
+  }
+  scene.images = std::move(kept);
+  for (MapUse& use : uses) use.image = number[static_cast<std::size_t>(use.image)];
 }
 
 }  // namespace
@@ -108,10 +156,10 @@ std::map<int, Header> read_headers(const Document& document, Bytes& bytes, const
 void decode_images(const Document& document, Bytes& bytes, const ImageLimits& limits, Scene& scene) {
   image::DecodeLimits decode;
   decode.max_side = limits.max_side;
-  const std::map<int, Header> headers = read_headers(document, bytes, decode, scene);
+  const Pictures pictures = read_headers(document, bytes, decode, scene);
   std::vector<MapUse> uses = map_uses(scene);
   for (MapUse& use : uses) {
-    const image::PictureHeader& header = headers.at(use.source).picture;
+    const image::PictureHeader& header = pictures.headers.at(use.source).picture;
     use.name = document.images[use.source].name;
     use.full_width = header.width;
     use.full_height = header.height;
@@ -121,19 +169,22 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
 
   Gate gate;
   scene.images.resize(decoded.size());
+  std::vector<std::string> faults(decoded.size());
   Steps images("reading maps", decoded.size());
   parallel_for(decoded.size(), [&](std::size_t i) {
     const MapUse& use = *decoded[i];
-    const Header& header = headers.at(use.source);
+    const Header& header = pictures.headers.at(use.source);
     const std::string where = name_of(document, use.source);
     const image::Shrink shrink{.halvings = use.halvings, .srgb = use.colour};
+    const auto decode_picture = [&] {
+      const Pass pass(gate, header.key.bytes + image::passing_bytes(header.picture, shrink));
+      const EncodedImage encoded = bytes.image(use.source);
+      return image::decode_image8(encoded.bytes(), where, decode, shrink);
+    };
     try {
-      scene.images[i] = {use.name, kept_picture(header.key, shrink, [&] {
-                           const Pass pass(gate,
-                                           header.key.bytes + image::passing_bytes(header.picture, shrink));
-                           const EncodedImage encoded = bytes.image(use.source);
-                           return image::decode_image8(encoded.bytes(), where, decode, shrink);
-                         })};
+      faults[i] = fault_of([&] {
+        scene.images[i] = {use.name, kept_picture(header.key, shrink, decode_picture)};
+      });
     } catch (const std::bad_alloc&) {
       throw input_error(
           where, "needs more memory than there is for {} x {} pixels; a smaller texture_budget_mb takes less",
@@ -141,6 +192,11 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
     }
     images.done();
   });
+
+  for (std::size_t i = 0; i < faults.size(); ++i)
+    if (!faults[i].empty())
+      leave_out(document, decoded[i]->source, pictures.needed.contains(decoded[i]->source), faults[i]);
+  drop_undecoded(scene, uses);
   point_maps_at_images(uses, scene);
 }
 

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/log.h"
+#include "scene/gltf/lenient.h"
 
 namespace dermis::scene::gltf {
 
@@ -23,7 +24,7 @@ struct Version {
 };
 
 Version read_version(const Value& value) {
-  const std::string& text = value.text();
+  const std::string text = value.is_number() ? fmt::format("{:.1f}", value.number()) : value.text();
   const std::size_t dot = text.find('.');
   const auto digits = [](std::string_view s) {
     return !s.empty() && s.size() <= 4 &&
@@ -38,17 +39,22 @@ Version read_version(const Value& value) {
 std::vector<std::string> names_in(const Value& root, const char* key) {
   const std::optional<Value> list = root.find(key);
   if (!list) return {};
-  std::vector<std::string> names(list->array_size());
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = list->element(i).text();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; list->is_array() && i < list->array_size(); ++i)
+    if (list->element(i).is_text()) names.push_back(list->element(i).text());
   return names;
 }
 
-/// Checks what all objects have in common: `name` is a string, `extensions` holds objects.
-void check_common(const Value& object) {
-  if (const auto name = object.find("name")) name->text();
-  const auto extensions = object.find("extensions");
-  if (!extensions) return;
-  for (const std::string& key : extensions->keys()) extensions->at(key).object();
+/// Returns whether a picture without an extension is one that somebody wants, though the file requires it: it
+/// changes materials that are drawn in some way without it, or nothing that is seen.
+bool is_dispensable(std::string_view name) {
+  constexpr std::array<std::string_view, 4> prefixes{"KHR_materials_", "EXT_materials_", "KHR_xmp", "VRM"};
+  constexpr std::array<std::string_view, 5> names{"KHR_animation_pointer", "KHR_node_visibility",
+                                                  "KHR_node_selectability", "KHR_node_hoverability",
+                                                  "EXT_lights_image_based"};
+  return std::any_of(prefixes.begin(), prefixes.end(),
+                     [&](auto prefix) { return name.starts_with(prefix); }) ||
+         std::find(names.begin(), names.end(), name) != names.end();
 }
 
 // What `{}` stands for takes half a kilobyte as a node, and over one as a material.
@@ -59,38 +65,40 @@ void check_sizes(const Value& root) {
       list->fail("has {} elements, the limit is {}", list->array_size(0), most);
 }
 
-void check_collections(const Value& root) {
-  check_common(root);
-  check_sizes(root);
-  for (const char* collection : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
-                                 "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"})
-    root.for_each(collection, check_common);
+void read_versions(const Document& document, const Value& root) {
+  const std::optional<Value> asset = root.find("asset");
+  const std::optional<Value> given = asset ? asset->object().find("version") : std::nullopt;
+  if (!given) {
+    warn_in(document.file, "does not say its version, and is read as glTF 2.0");
+    return;
+  }
+  const Version version = read_version(*given);
+  if (version.major != 2)
+    given->fail("glTF {}.{} is not supported, expected 2.0", version.major, version.minor);
+
+  if (const std::optional<Value> least = asset->find("minVersion")) {
+    const Version minimum = read_version(*least);
+    if (minimum.major != 2 || minimum.minor != 0)
+      least->fail("needs glTF {}.{}, this reader knows 2.0", minimum.major, minimum.minor);
+  }
+  if (version.minor != 0) warn_in(document.file, "glTF 2.{} is read as 2.0", version.minor);
 }
 
 }  // namespace
 
 void read_header(Document& document, const Value& root) {
-  const Value asset = root.at("asset").object();
-  const Value version_value = asset.at("version");
-  const Version version = read_version(version_value);
-  if (version.major != 2)
-    version_value.fail("glTF {}.{} is not supported, expected 2.0", version.major, version.minor);
-
-  if (const std::optional<Value> least = asset.find("minVersion")) {
-    const Version minimum = read_version(*least);
-    if (minimum.major != 2 || minimum.minor != 0)
-      least->fail("needs glTF {}.{}, this reader knows 2.0", minimum.major, minimum.minor);
-  }
-  if (version.minor != 0) warn("{}: glTF 2.{} is read as 2.0", document.file, version.minor);
-
+  read_versions(document, root);
   const auto is_supported = [](const std::string& name) {
     return std::find(supported_extensions.begin(), supported_extensions.end(), name) !=
            supported_extensions.end();
   };
-  for (const std::string& name : names_in(root, "extensionsRequired"))
-    if (!is_supported(name))
+  for (const std::string& name : names_in(root, "extensionsRequired")) {
+    if (!is_supported(name) && is_dispensable(name))
+      warn_in(document.file, "requires the extension {}, which is not read; the rest is drawn", name);
+    else if (!is_supported(name))
       throw input_error(document.file, "requires the extension {}, which is not supported; supported are: {}",
                         name, fmt::join(supported_extensions, ", "));
+  }
 
   std::vector<std::string> unread;
   for (const std::string& name : names_in(root, "extensionsUsed")) {
@@ -105,7 +113,7 @@ Document read_document(const Value& root, const Container& container, const std:
   document.file = path.string();
   document.folder = path.parent_path();
   read_header(document, root);
-  check_collections(root);
+  check_sizes(root);
   read_buffers(document, root, container.binary.has_value());
   read_accessors(document, root);
   read_textures(document, root);

@@ -28,6 +28,8 @@ struct Container {
   std::optional<std::span<const std::byte>> binary;
 };
 
+// `fault`: why an element cannot be used; empty if it can. Only what uses it is refused, or left out.
+
 struct Buffer {
   std::uint64_t byte_length = 0;
   std::optional<std::string> uri;
@@ -49,6 +51,7 @@ struct BufferView {
   std::uint64_t offset = 0, length = 0;
   std::uint64_t stride = 0;  ///< bytes, 0 = packed
   std::optional<MeshoptView> meshopt;
+  std::string fault{};
 };
 
 enum class Component : std::uint16_t {
@@ -76,6 +79,7 @@ struct Accessor {
   int columns = 1, rows = 1;  ///< VEC3: 1 x 3, MAT4: 4 x 4
   std::optional<Sparse> sparse;
   std::string place;  ///< for messages
+  std::string fault;
   int components() const { return columns * rows; }
 };
 
@@ -83,6 +87,7 @@ struct ImageSource {
   std::string name;  ///< for messages
   std::optional<std::string> uri;
   int view = -1;
+  std::string fault{};
 };
 struct Texture {
   int image = -1;  ///< -1: only an extension that is not read has one
@@ -110,12 +115,14 @@ struct MeshPrimitive {
   std::vector<Attributes> targets;
   std::optional<DracoData> draco;
   std::string place;
+  std::string fault;
 };
 struct Mesh {
   std::string name;
   std::vector<MeshPrimitive> primitives;
   std::vector<double> weights;
   std::vector<std::string> target_names;  ///< extras.targetNames; empty: it has none that can be used
+  std::size_t targets = 0;                ///< morph targets of the primitive that has most
 };
 
 struct Node {
@@ -131,6 +138,7 @@ struct Node {
 struct Skin {
   int inverse_bind = -1;  ///< accessor
   std::vector<int> joints;
+  std::string fault;
 };
 
 /// An animation whose key frames are not read yet.
@@ -144,9 +152,10 @@ struct AnimationSource {
     int node = -1;                     ///< -1: of an extension
     std::optional<AnimatedPath> path;  ///< none: likewise
   };
-  std::string name;
-  std::vector<Sampler> samplers;
-  std::vector<Channel> channels;
+  std::string name{};  ///< its number in the file if it has none
+  std::vector<Sampler> samplers{};
+  std::vector<Channel> channels{};
+  std::string fault{};
 };
 
 struct Document {
@@ -165,17 +174,20 @@ struct Document {
   std::vector<Node> nodes;
   std::vector<Skin> skins;
   std::vector<AnimationSource> animations;
-  std::vector<Camera> cameras;               ///< without a place in the world
-  std::vector<std::optional<Light>> lights;  ///< likewise; none: of a type we do not know
-  std::vector<int> roots;                    ///< of the scene that is shown
+  std::vector<std::optional<Camera>> cameras;  ///< without a place in the world; none: it cannot be used
+  std::vector<std::optional<Light>> lights;    ///< likewise
+  std::vector<int> roots;                      ///< of the scene that is shown
 };
 
 /// Splits a .glb or .gltf. InputError: chunk framing, empty parts.
 Container open_container(const std::filesystem::path& path);
 
-/// Reads and checks the whole JSON. InputError: version, required extensions, types, ranges, references,
-/// loops.
+/// Reads and checks the whole JSON. Warns of what is drawn although it differs from the specification.
+/// InputError: version, required extensions, loops, what no picture can do without.
 Document read_document(const Value& root, const Container& container, const std::filesystem::path& path);
+
+/// Returns the nodes that are in no loop, parents first.
+std::vector<int> parents_first(const Document& document);
 
 // The parts of read_document, one file each.
 void read_header(Document& document, const Value& root);
@@ -189,6 +201,8 @@ void read_cameras(Document& document, const Value& root);
 void read_lights(Document& document, const Value& root);
 void read_animations(Document& document, const Value& root);
 
+/// `weights` of a mesh or a node: one for each morph target, or none.
+std::vector<double> read_weights(const Value& value, std::size_t targets);
 /// A textureInfo object (index, texCoord, KHR_texture_transform, and `scale_key` if not null) as a map.
 MapRef read_texture_info(const Document& document, const Value& info, const char* scale_key = nullptr);
 /// The map of a texture with given coordinates' set and transform.

@@ -61,8 +61,8 @@ ViewNodes place_lights_and_cameras(const Document& document, double unit_scale, 
   const std::vector<glm::dmat4> world = world_matrices(document, unit_scale);
   for (const int n : shown_nodes(document)) {
     const Node& node = document.nodes[n];
-    if (node.camera >= 0) {
-      scene.cameras.push_back(place_camera(document.cameras[node.camera], node, world[n], unit_scale));
+    if (node.camera >= 0 && document.cameras[node.camera]) {
+      scene.cameras.push_back(place_camera(*document.cameras[node.camera], node, world[n], unit_scale));
       placed.cameras.push_back(n);
     }
     if (node.light >= 0 && document.lights[node.light]) {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/mesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "scene/gltf/lenient.h"
+#include "scene/limits.h"
 
 namespace dermis::scene::gltf {
 
@@ -53,10 +58,17 @@ class Source {
       return gather(std::move(compressed->second), components, order);
     return gather(bytes_.floats(found->second), components, order);
   }
-  std::vector<float> finite(const std::string& name, int components,
-                            const std::vector<std::uint32_t>& order) {
+  /// The same, with `otherwise` in place of what is not finite.
+  std::vector<float> finite_or(float otherwise, const std::string& name, int components,
+                               const std::vector<std::uint32_t>& order) {
     std::vector<float> values = attribute(name, components, order);
-    check_finite({document_.file, primitive_.place}, name, values, components);
+    bool whole = true;
+    for (float& value : values) {
+      if (std::isfinite(value)) continue;
+      value = otherwise;
+      whole = false;
+    }
+    if (!whole) warn_at(document_.file, primitive_.place, name + " is not finite everywhere");
     return values;
   }
 
@@ -66,6 +78,29 @@ class Source {
   const MeshPrimitive& primitive_;
   DracoMesh draco_;
 };
+
+/// Gives vertices whose coordinates cannot be used those of a corner beside them, so that no triangle is
+/// stretched over the map. Returns whether there were any.
+bool repair_coordinates(const std::vector<std::uint32_t>& indices, std::vector<float>& uv) {
+  const auto usable = [](float value) { return std::abs(value) <= largest_uv; };  // false for NaN
+  std::vector<bool> bad(uv.size() / 2);
+  for (std::size_t v = 0; v < bad.size(); ++v) bad[v] = !usable(uv[2 * v]) || !usable(uv[2 * v + 1]);
+  if (std::find(bad.begin(), bad.end(), true) == bad.end()) return false;
+
+  std::vector<std::uint32_t> from(bad.size(), 0);
+  std::vector<bool> found(bad.size(), false);
+  for (std::size_t t = 0; t + 2 < indices.size(); t += 3)
+    for (std::size_t k = 0; k < 9; ++k) {
+      const std::uint32_t corner = indices[t + k / 3], other = indices[t + k % 3];
+      if (!bad[corner] || found[corner] || bad[other]) continue;
+      from[corner] = other;
+      found[corner] = true;
+    }
+  for (std::size_t v = 0; v < bad.size(); ++v)
+    for (std::size_t c = 0; c < 2 && bad[v]; ++c)
+      uv[2 * v + c] = found[v] ? uv[2 * std::size_t{from[v]} + c] : 0;
+  return true;
+}
 
 /// Adds alpha 1: COLOR_0 may lack alpha.
 std::vector<float> with_alpha(const std::vector<float>& rgb) {
@@ -114,18 +149,22 @@ LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive&
   if (mesh.indices.empty()) return mesh;
 
   const std::vector<std::uint32_t>& order = mesh.original;
-  mesh.positions = source.finite("POSITION", 3, order);
+  mesh.positions = source.attribute("POSITION", 3, order);
+  check_finite({document.file, primitive.place}, "POSITION", mesh.positions, 3);
   mesh.normals = source.attribute("NORMAL", 3, order);
   mesh.tangents = source.attribute("TANGENT", 4, order);
   for (int set = 0; set < 2; ++set) {
-    mesh.uvs[set] = source.finite(fmt::format("TEXCOORD_{}", set), 2, order);
-    mesh.joints[set] = source.finite(fmt::format("JOINTS_{}", set), 4, order);
-    mesh.weights[set] = source.finite(fmt::format("WEIGHTS_{}", set), 4, order);
+    mesh.uvs[set] = source.attribute(fmt::format("TEXCOORD_{}", set), 2, order);
+    mesh.joints[set] = source.finite_or(0, fmt::format("JOINTS_{}", set), 4, order);
+    mesh.weights[set] = source.finite_or(0, fmt::format("WEIGHTS_{}", set), 4, order);
+    if (repair_coordinates(mesh.indices, mesh.uvs[set]))
+      warn_at(document.file, primitive.place,
+              "has texture coordinates that are not finite or out of range; they become those beside them");
   }
 
   if (const auto colour = primitive.attributes.find("COLOR_0"); colour != primitive.attributes.end()) {
     const int components = document.accessors[colour->second].rows;
-    mesh.colours = source.finite("COLOR_0", components, order);
+    mesh.colours = source.finite_or(1, "COLOR_0", components, order);
     if (components == 3) mesh.colours = with_alpha(mesh.colours);
   }
   return mesh;

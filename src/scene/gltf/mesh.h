@@ -11,7 +11,7 @@ namespace dermis::scene::gltf {
 std::uint64_t claimed_triangles(const Document& document, const MeshPrimitive& primitive);
 std::uint64_t claimed_vertices(const Document& document, const MeshPrimitive& primitive);
 
-/// Throws InputError for indices out of range, numbers that are not finite, damaged Draco data.
+/// Throws InputError for indices out of range, positions that are not finite, damaged Draco data.
 LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive& primitive);
 
 /// Returns the elements named by `order`, `components` numbers each; an empty order keeps all.

@@ -8,6 +8,7 @@
 #include "core/hooks.h"
 #include "core/warnings.h"
 #include "scene/complete.h"
+#include "scene/gltf/lenient.h"
 #include "scene/gltf/skinning.h"
 #include "scene/limits.h"
 #include "scene/placement.h"
@@ -23,6 +24,9 @@ constexpr std::uint64_t morph_passes = 2;
 // many copies are free, beyond them the file must have grown. The densest Draco data that we know holds about
 // 4 vertices per byte.
 constexpr std::uint64_t free_vertices = 8'000'000, vertices_per_byte = 16;
+
+// Matrices are multiplied from a node up to its root; so deep below it, once for each node.
+constexpr int deepest_from_leaf = 64;
 
 constexpr std::uint64_t largest_source_mesh = std::numeric_limits<int>::max();
 
@@ -140,9 +144,7 @@ void add_placement(const Document& document, const MeshPrimitive& source, const 
 }
 
 /// Returns whether a node only transforms the whole mesh, in every pose.
-bool is_rigid(const Node& node, const Mesh& mesh) {
-  return node.skin < 0 && mesh.primitives.front().targets.empty();
-}
+bool is_rigid(const Node& node, const Mesh& mesh) { return node.skin < 0 && mesh.targets == 0; }
 
 /// Returns what a rig needs of a mesh, before its targets are applied.
 MovingMesh moving_mesh(const MeshPrimitive& primitive, const LocalMesh& local, int node) {
@@ -173,11 +175,19 @@ std::vector<glm::dmat4> world_matrices(const Document& document, double unit_sca
   std::vector<glm::dmat4> world(count);
   glm::dmat4 units(unit_scale);
   units[3][3] = 1;
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<int> depth(count, 0);
+  for (const int n : parents_first(document)) {
+    const auto i = static_cast<std::size_t>(n);
+    const int parent = document.nodes[i].parent;
+    if (parent >= 0) depth[i] = depth[static_cast<std::size_t>(parent)] + 1;
     world[i] = document.nodes[i].local;
-    for (int up = document.nodes[i].parent; up >= 0; up = document.nodes[up].parent)
-      world[i] = document.nodes[up].local * world[i];
-    world[i] = units * world[i];
+    if (depth[i] <= deepest_from_leaf) {
+      for (int up = parent; up >= 0; up = document.nodes[up].parent)
+        world[i] = document.nodes[up].local * world[i];
+      world[i] = units * world[i];
+    } else {
+      world[i] = world[static_cast<std::size_t>(parent)] * world[i];
+    }
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r)
         if (!std::isfinite(world[i][c][r]))
@@ -216,6 +226,7 @@ void check_limits(const Document& document, std::uint64_t read_bytes, const Load
         std::count_if(weights.begin(), weights.end(), [](double w) { return w != 0; }));
 
     for (const MeshPrimitive& primitive : mesh.primitives) {
+      check_fault(primitive.fault);
       const std::uint64_t here = claimed_triangles(document, primitive);
       skipped += primitive.mode < 4 ? 1 : 0;
       if (here == 0) continue;
@@ -308,9 +319,9 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
       }
       LocalMesh local = several ? read.at(&primitive) : read_mesh(document, bytes, primitive);
       if (local.indices.empty()) continue;
+      frames.repair_weights(local, primitive);
       if (keep_moving) placed.moving.push_back(moving_mesh(primitive, local, n));
       apply_morphs(bytes, primitive, weights, local);
-      frames.check_joints(local, primitive);
       placed.primitives.push_back(place(document, primitive, local, frames, about));
       placed.file_tangents.push_back(usable_tangents(local, placed.primitives.back().vertices));
       placed.has_uv.push_back({!local.uvs[0].empty(), !local.uvs[1].empty()});

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/gltf/lenient.h"
+
 namespace dermis::scene::gltf {
 namespace {
 
@@ -51,10 +53,10 @@ std::vector<float> read_times(const Document& document, Bytes& bytes, int access
   std::vector<float> times = bytes.floats(accessor);
   if (times.empty()) throw input_error(document.file, "{}: has no key frames", place);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!std::isfinite(times[i]) || times[i] < 0)
-      throw input_error(document.file, "{}: time {} is {}, it must be 0 s or later", place, i, times[i]);
-    if (i > 0 && !(times[i] > times[i - 1]))
-      throw input_error(document.file, "{}: times must rise; {} s follows {} s", place, times[i],
+    if (!std::isfinite(times[i]))
+      throw input_error(document.file, "{}: time {} is {}, it must be finite", place, i, times[i]);
+    if (i > 0 && !(times[i] >= times[i - 1]))
+      throw input_error(document.file, "{}: times must not fall; {} s follows {} s", place, times[i],
                         times[i - 1]);
   }
   return times;
@@ -67,12 +69,6 @@ void check_rotations(const Document& document, const std::string& place, const K
     const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
     if (!(length > 1e-6)) throw input_error(document.file, "{}: rotation {} has no length", place, key);
   }
-}
-
-// One at a time: a file may have tens of thousands.
-std::string animation_name(const Document& document, std::size_t animation) {
-  const std::string& name = document.animations[animation].name;
-  return name.empty() ? std::to_string(animation) : name;
 }
 
 KeyFrames read_key_frames(const Document& document, Bytes& bytes, const AnimationSource::Sampler& sampler,
@@ -104,19 +100,22 @@ KeyFrames read_key_frames(const Document& document, Bytes& bytes, const Animatio
 
 std::size_t targets_of(const Document& document, int node) {
   const int mesh = document.nodes[node].mesh;
-  return mesh < 0 ? 0 : document.meshes[mesh].primitives.front().targets.size();
+  return mesh < 0 ? 0 : document.meshes[mesh].targets;
 }
 
 }  // namespace
 
 Clip read_clip(const Document& document, Bytes& bytes, std::size_t animation) {
   const AnimationSource& source = document.animations[animation];
-  Clip clip{.name = animation_name(document, animation), .key_frames = {}, .channels = {}};
+  check_fault(source.fault);
+  Clip clip{.name = source.name, .key_frames = {}, .channels = {}};
   for (const AnimationSource::Channel& channel : source.channels) {
     if (channel.node < 0 || !channel.path) continue;
     const Node& node = document.nodes[channel.node];
-    if (*channel.path != AnimatedPath::weights && !node.transform)
-      throw input_error(document.file, "animations[{}] moves {}, which has a matrix", animation, node.place);
+    if (*channel.path != AnimatedPath::weights && !node.transform) {
+      warn_at(document.file, node.place, "has a matrix, so its animation is left out");
+      continue;
+    }
 
     const std::string place = place_of(animation, static_cast<std::size_t>(channel.sampler));
     const Shape shape = shape_of(*channel.path, targets_of(document, channel.node));
@@ -153,7 +152,7 @@ void take_pose(const Pose& pose, Document& document) {
 
 std::vector<std::string> animation_names(const Document& document) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < document.animations.size(); ++i) names.push_back(animation_name(document, i));
+  for (const AnimationSource& animation : document.animations) names.push_back(animation.name);
   return names;
 }
 

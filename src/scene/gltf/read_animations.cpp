@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads animations: which nodes they move, and where their key frames are.
 #include "scene/gltf/document.h"
+#include "scene/gltf/lenient.h"
 
 namespace dermis::scene::gltf {
 
@@ -22,35 +23,45 @@ std::optional<AnimatedPath> path_of(const std::string& name) {
   return std::nullopt;  // extensions have others
 }
 
-AnimationSource::Channel read_channel(const Document& document, const Value& value, std::size_t samplers) {
-  AnimationSource::Channel channel{.sampler = value.index("sampler", samplers, "sampler")};
+void read_channel(const Document& document, const Value& value, AnimationSource& animation) {
+  AnimationSource::Channel channel{.sampler = value.index("sampler", animation.samplers.size(), "sampler")};
   const Value target = value.at("target");
   channel.node = target.index_or_none("node", document.nodes.size(), "node");
   channel.path = path_of(target.at("path").text());
 
-  const bool has_targets = channel.node >= 0 && document.nodes[channel.node].mesh >= 0 &&
-                           !document.meshes[document.nodes[channel.node].mesh].primitives[0].targets.empty();
-  if (channel.path == AnimatedPath::weights && channel.node >= 0 && !has_targets)
-    target.fail("animates the weights of node {}, which has no morph targets", channel.node);
-  return channel;
+  if (channel.path == AnimatedPath::weights && channel.node >= 0) {
+    const int mesh = document.nodes[static_cast<std::size_t>(channel.node)].mesh;
+    if (mesh < 0 || document.meshes[static_cast<std::size_t>(mesh)].targets == 0) {
+      warn_at(target, "animates weights of a node without morph targets, and is left out");
+      return;
+    }
+  }
+  animation.channels.push_back(channel);
+}
+
+void read_animation(const Document& document, const Value& value, AnimationSource& animation) {
+  value.for_each("samplers", [&](const Value& sampler) {
+    animation.samplers.push_back({sampler.index("input", document.accessors.size(), "accessor"),
+                                  sampler.index("output", document.accessors.size(), "accessor"),
+                                  read_interpolation(sampler)});
+  });
+  value.for_each("channels", [&](const Value& channel) { read_channel(document, channel, animation); });
 }
 
 }  // namespace
 
 void read_animations(Document& document, const Value& root) {
+  std::size_t number = 0;
   root.for_each("animations", [&](const Value& value) {
-    AnimationSource animation{.name = value.text_or("name", "")};
-    const std::size_t samplers = value.at("samplers").array_size();
-    value.for_each("samplers", [&](const Value& sampler) {
-      animation.samplers.push_back({sampler.index("input", document.accessors.size(), "accessor"),
-                                    sampler.index("output", document.accessors.size(), "accessor"),
-                                    read_interpolation(sampler)});
-    });
-    value.at("channels");
-    value.for_each("channels", [&](const Value& channel) {
-      animation.channels.push_back(read_channel(document, channel, samplers));
-    });
-    document.animations.push_back(std::move(animation));
+    const std::string otherwise = std::to_string(number++);
+    AnimationSource animation{.name = text_near(value, "name", "")};
+    if (animation.name.empty()) animation.name = otherwise;
+    animation.fault = fault_of([&] { read_animation(document, value, animation); });
+    // Exporters write one for each character, whether it moves or not.
+    if (animation.fault.empty() && animation.channels.empty())
+      warn_at(value, "moves nothing, and is left out");
+    else
+      document.animations.push_back(std::move(animation));
   });
 }
 

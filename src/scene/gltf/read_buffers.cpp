@@ -4,12 +4,13 @@
 #include <algorithm>
 
 #include "scene/gltf/document.h"
+#include "scene/gltf/lenient.h"
 
 namespace dermis::scene::gltf {
 
 namespace {
 
-constexpr std::uint64_t min_stride = 4, max_stride = 252;
+constexpr std::uint64_t max_stride = 4096;  // glTF: 252
 
 // An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so what it
 // claims is compared with the size of all buffers: the densest Draco data that we know holds about 20 indices
@@ -89,12 +90,8 @@ BufferView read_view(const Document& document, const Value& value) {
   BufferView view;
   view.buffer = value.index("buffer", document.buffers.size(), "buffer");
   view.offset = value.count_or("byteOffset", 0);
-  view.length = value.at("byteLength").count(1);
-  view.stride = value.count_or("byteStride", 0, min_stride, max_stride);
-
-  if (view.stride % 4 != 0) value.fail("byteStride {} must be a multiple of 4", view.stride);
-  if (view.stride > view.length)
-    value.fail("byteStride {} is more than byteLength {}", view.stride, view.length);
+  view.length = value.at("byteLength").count();
+  view.stride = value.count_or("byteStride", 0, 0, max_stride);
   check_within(value, view.offset, view.length, document.buffers[view.buffer].byte_length, "buffer");
 
   if (const std::optional<Value> meshopt = extension(value, "EXT_meshopt_compression")) {
@@ -149,13 +146,14 @@ void read_shape(Accessor& accessor, const Value& value) {
 /// Throws unless `count` elements of `bytes` each, `stride` apart, lie in the view.
 void check_elements(const Value& where, const BufferView& view, std::uint64_t offset, std::uint64_t count,
                     std::uint64_t bytes, std::uint64_t stride) {
-  const std::uint64_t extent = (count - 1) * stride + bytes;  // count < 2^48, stride < 2^8: no overflow
+  // count <= 2^48, stride <= 2^12: no overflow
+  const std::uint64_t extent = count == 0 ? 0 : (count - 1) * stride + bytes;
   check_within(where, offset, extent, view.length, "bufferView");
 }
 
 Sparse read_sparse(const Document& document, const Value& value, const Accessor& accessor) {
   Sparse sparse;
-  sparse.count = value.at("count").count(1);
+  sparse.count = value.at("count").count();
   if (sparse.count > accessor.count)
     value.fail("count {} is more than the accessor's {}", sparse.count, accessor.count);
 
@@ -170,6 +168,8 @@ Sparse read_sparse(const Document& document, const Value& value, const Accessor&
   sparse.values_view = values.index("bufferView", document.views.size(), "bufferView");
   sparse.values_offset = values.count_or("byteOffset", 0);
 
+  check_fault(document.views[sparse.indices_view].fault);
+  check_fault(document.views[sparse.values_view].fault);
   const std::uint64_t bytes = element_bytes(accessor), stride = stride_bytes(accessor, BufferView{});
   check_elements(indices, document.views[sparse.indices_view], sparse.indices_offset, sparse.count,
                  size_of(c), size_of(c));
@@ -178,29 +178,29 @@ Sparse read_sparse(const Document& document, const Value& value, const Accessor&
   return sparse;
 }
 
-Accessor read_accessor(const Document& document, const Value& value) {
-  Accessor accessor;
-  accessor.place = value.place();
+// `min` and `max` are not read: writers round them, or count what is left out.
+void read_accessor(const Document& document, const Value& value, Accessor& accessor) {
   accessor.component = read_component(value.at("componentType"));
-  accessor.count = value.at("count").count(1);
+  accessor.count = value.at("count").count();
   read_shape(accessor, value.at("type"));
 
-  accessor.normalized = value.boolean_or("normalized", false);
+  accessor.normalized = boolean_near(value, "normalized", false);
   if (accessor.normalized &&
-      (accessor.component == Component::float32 || accessor.component == Component::uint32))
-    value.fail("normalized is not for {}", name_of(accessor.component));
-  for (const char* bound : {"min", "max"}) value.numbers(bound, accessor.components());
+      (accessor.component == Component::float32 || accessor.component == Component::uint32)) {
+    warn_at(value, fmt::format("normalized is not for {}", name_of(accessor.component)));
+    accessor.normalized = false;
+  }
 
   accessor.view = value.index_or_none("bufferView", document.views.size(), "bufferView");
   accessor.offset = value.count_or("byteOffset", 0);
   if (accessor.view >= 0) {
     const BufferView& view = document.views[accessor.view];
+    check_fault(view.fault);
     const std::uint64_t bytes = element_bytes(accessor), stride = stride_bytes(accessor, view);
     if (stride < bytes)
       value.fail("an element has {} bytes, but the bufferView's byteStride is {}", bytes, stride);
     check_elements(value, view, accessor.offset, accessor.count, bytes, stride);
   } else {
-    if (value.has("byteOffset")) value.fail("byteOffset without a bufferView");
     const std::uint64_t limit = zero_element_limit(document);
     if (accessor.count > limit)
       value.fail("{} elements without a bufferView; the limit for this file is {}", accessor.count, limit);
@@ -208,7 +208,6 @@ Accessor read_accessor(const Document& document, const Value& value) {
 
   if (const std::optional<Value> sparse = value.find("sparse"))
     accessor.sparse = read_sparse(document, *sparse, accessor);
-  return accessor;
 }
 
 }  // namespace
@@ -252,7 +251,7 @@ std::uint64_t stride_bytes(const Accessor& accessor, const BufferView& view) {
 void read_buffers(Document& document, const Value& root, bool has_binary) {
   root.for_each("buffers", [&](const Value& value) {
     Buffer buffer;
-    buffer.byte_length = value.at("byteLength").count(1);
+    buffer.byte_length = value.at("byteLength").count();
     if (const std::optional<Value> uri = value.find("uri")) buffer.uri = uri->text();
     const std::optional<Value> meshopt = extension(value, "EXT_meshopt_compression");
     buffer.fallback = meshopt && meshopt->boolean_or("fallback", false) && !buffer.uri;
@@ -260,13 +259,20 @@ void read_buffers(Document& document, const Value& root, bool has_binary) {
     buffer.is_chunk = document.buffers.empty() && has_binary && !buffer.uri && !buffer.fallback;
     document.buffers.push_back(std::move(buffer));
   });
-  root.for_each("bufferViews",
-                [&](const Value& value) { document.views.push_back(read_view(document, value)); });
+  root.for_each("bufferViews", [&](const Value& value) {
+    BufferView view;
+    std::string fault = fault_of([&] { view = read_view(document, value); });
+    document.views.push_back(fault.empty() ? std::move(view) : BufferView{.fault = std::move(fault)});
+  });
 }
 
 void read_accessors(Document& document, const Value& root) {
-  root.for_each("accessors",
-                [&](const Value& value) { document.accessors.push_back(read_accessor(document, value)); });
+  root.for_each("accessors", [&](const Value& value) {
+    Accessor& accessor = document.accessors.emplace_back();
+    accessor.place = value.place();
+    accessor.fault = fault_of([&] { read_accessor(document, value, accessor); });
+    if (!accessor.fault.empty()) accessor.count = 0;
+  });
 }
 
 }  // namespace dermis::scene::gltf

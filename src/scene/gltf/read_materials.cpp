@@ -4,6 +4,7 @@
 
 #include "core/warnings.h"
 #include "scene/gltf/document.h"
+#include "scene/gltf/lenient.h"
 #include "scene/limits.h"
 
 namespace dermis::scene::gltf {
@@ -11,46 +12,39 @@ namespace dermis::scene::gltf {
 namespace {
 
 Wrap read_wrap(const Value& sampler, const char* key) {
-  switch (sampler.count_or(key, 10497)) {
+  switch (static_cast<int>(number_near(sampler, key, 10497))) {
     case 10497: return Wrap::repeat;
     case 33071: return Wrap::clamp;
     case 33648: return Wrap::mirror;
-    default: sampler.at(key).fail("must be 10497 (repeat), 33071 (clamp to edge) or 33648 (mirrored repeat)");
+    default: warn_at(sampler.at(key), "is no way to wrap that glTF knows; the picture is repeated");
   }
+  return Wrap::repeat;
 }
 
 Texture read_sampler(const Value& value) {
   Texture sampler;
   sampler.wrap_u = read_wrap(value, "wrapS");
   sampler.wrap_v = read_wrap(value, "wrapT");
-  const std::uint64_t magnification = value.count_or("magFilter", 9729),
-                      minification = value.count_or("minFilter", 9987);
-  if (magnification != 9728 && magnification != 9729)
-    value.at("magFilter").fail("must be 9728 (nearest) or 9729 (linear)");
-  if (minification != 9728 && minification != 9729 && (minification < 9984 || minification > 9987))
-    value.at("minFilter").fail("must be 9728, 9729 or 9984 to 9987");
-  sampler.nearest = magnification == 9728;
+  sampler.nearest = number_near(value, "magFilter", 9729) == 9728;
   return sampler;
 }
 
-ImageSource read_image(const Document& document, const Value& value) {
-  ImageSource image;
-  if (const std::optional<Value> uri = value.find("uri")) image.uri = uri->text();
+// A picture says by its first bytes of which type it is.
+void read_image(const Document& document, const Value& value, ImageSource& image) {
+  image.name = text_near(value, "name", value.place());
   image.view = value.index_or_none("bufferView", document.views.size(), "bufferView");
-  if (image.uri.has_value() == (image.view >= 0)) value.fail("must have either a uri or a bufferView");
-  const std::string mime = value.text_or("mimeType", "");
-  if (image.view >= 0 && mime.empty()) value.fail("has a bufferView but no mimeType");
-  if (image.view >= 0 && document.views[image.view].stride != 0)
-    value.fail("its bufferView has a byteStride");
-  const bool is_file = image.uri && !image.uri->starts_with("data:");
-  image.name = value.text_or("name", is_file ? *image.uri : value.place());
-  return image;
+  const std::optional<Value> uri = value.find("uri");
+  if (image.view >= 0) return check_fault(document.views[static_cast<std::size_t>(image.view)].fault);
+  if (!uri) value.fail("must have either a uri or a bufferView");
+  image.uri = uri->text();
+  if (!value.has("name") && !image.uri->starts_with("data:")) image.name = *image.uri;
 }
 
 /// uv' = translation * rotation * scale * uv
 glm::mat3x2 read_texture_transform(const Value& value) {
-  const std::vector<double> offset = value.numbers("offset", 2), scale = value.numbers("scale", 2);
-  const double rotation = value.number_or("rotation", 0);
+  const std::vector<double> offset = numbers_near(value, "offset", 2),
+                            scale = numbers_near(value, "scale", 2);
+  const double rotation = number_near(value, "rotation", 0);
   const double su = scale.empty() ? 1 : scale[0], sv = scale.empty() ? 1 : scale[1];
   const double c = std::cos(rotation), s = std::sin(rotation);
   // The text of the extension rotates counter-clockwise in a picture whose v points down; its GLSL excerpt
@@ -61,28 +55,31 @@ glm::mat3x2 read_texture_transform(const Value& value) {
 
 MapRef map_member(const Document& document, const Value& value, const char* key,
                   const char* scale_key = nullptr) {
+  MapRef map;
   const std::optional<Value> info = value.find(key);
-  return info ? read_texture_info(document, *info, scale_key) : MapRef{};
+  if (!info) return map;
+  const std::string fault = fault_of([&] { map = read_texture_info(document, *info, scale_key); });
+  if (!fault.empty()) {
+    map = {};
+    warn_of_fault(document.file, "maps that cannot be read are left out", info->place(), fault,
+                  "the map is left out");
+  }
+  return map;
 }
 
 glm::vec3 colour_member(const Value& value, const char* key, const glm::vec3& otherwise, float most) {
-  const std::vector<double> c = value.numbers(key, 3);
-  if (c.empty()) return otherwise;
-  for (const double x : c)
-    if (x < 0 || x > most) value.at(key).fail("must be 0 to {}, is {}", most, x);
-  return {c[0], c[1], c[2]};
+  const std::vector<double> c = numbers_near(value, key, 3, 0, most);
+  return c.empty() ? otherwise : glm::vec3(c[0], c[1], c[2]);
 }
 
 float factor(const Value& value, const char* key, double otherwise, double most = 1) {
-  return static_cast<float>(value.number_or(key, otherwise, 0, most));
+  return static_cast<float>(number_near(value, key, otherwise, 0, most));
 }
 
 void read_metallic_roughness(const Document& document, const Value& value, Material& material) {
-  const std::vector<double> colour = value.numbers("baseColorFactor", 4);
-  for (int i = 0; i < 4 && !colour.empty(); ++i) {
-    if (colour[i] < 0 || colour[i] > 1) value.at("baseColorFactor").fail("must be 0 to 1, is {}", colour[i]);
-    material.base_colour[i] = static_cast<float>(colour[i]);
-  }
+  const std::vector<double> colour = numbers_near(value, "baseColorFactor", 4, 0, 1);
+  for (glm::length_t i = 0; i < 4 && !colour.empty(); ++i)
+    material.base_colour[i] = static_cast<float>(colour[static_cast<std::size_t>(i)]);
   material.base_colour_map = map_member(document, value, "baseColorTexture");
   material.metallic = factor(value, "metallicFactor", 1);
   material.roughness = factor(value, "roughnessFactor", 1);
@@ -100,7 +97,10 @@ void read_material_extensions(const Document& document, const Value& value, Mate
     material.ior = factor(*ior, "ior", 1.5, largest_ior);
     // 0 means "Fresnel of 1 everywhere", as for an infinite index.
     if (material.ior == 0) material.ior = largest_ior;
-    if (material.ior < 1) ior->fail("ior must be 0 or at least 1, is {}", material.ior);
+    if (material.ior < 1) {
+      warn_at(*ior, "ior must be 0 or at least 1, which is taken");
+      material.ior = 1;
+    }
   }
 
   if (const auto specular = extension(value, "KHR_materials_specular")) {
@@ -116,27 +116,28 @@ void read_material_extensions(const Document& document, const Value& value, Mate
 }
 
 AlphaMode read_alpha_mode(const Value& value) {
-  const std::string mode = value.text_or("alphaMode", "OPAQUE");
+  const std::string mode = text_near(value, "alphaMode", "OPAQUE");
   if (mode == "OPAQUE") return AlphaMode::opaque;
   if (mode == "MASK") return AlphaMode::mask;
   if (mode == "BLEND") return AlphaMode::blend;
-  value.at("alphaMode").fail("must be OPAQUE, MASK or BLEND, is '{}'", mode.substr(0, 40));
+  warn_at(value.at("alphaMode"), "is none of OPAQUE, MASK and BLEND; it is drawn opaque");
+  return AlphaMode::opaque;
 }
 
 MaterialSource read_material(const Document& document, const Value& value) {
   MaterialSource source;
   Material& material = source.material;
-  material.name = value.text_or("name", "");
+  material.name = text_near(value, "name", "");
 
-  if (const std::optional<Value> pbr = value.find("pbrMetallicRoughness"))
-    read_metallic_roughness(document, *pbr, material);
+  const std::optional<Value> pbr = value.find("pbrMetallicRoughness");
+  if (pbr && pbr->is_object()) read_metallic_roughness(document, *pbr, material);
   material.normal_map = map_member(document, value, "normalTexture", "scale");
   material.occlusion_map = map_member(document, value, "occlusionTexture", "strength");
-  material.emissive = colour_member(value, "emissiveFactor", glm::vec3(0), 1);
+  material.emissive = colour_member(value, "emissiveFactor", glm::vec3(0), largest_radiance);
   material.emissive_map = map_member(document, value, "emissiveTexture");
   material.alpha_mode = read_alpha_mode(value);
   material.alpha_cutoff = factor(value, "alphaCutoff", 0.5, largest_cutoff);
-  material.double_sided = value.boolean_or("doubleSided", false);
+  material.double_sided = boolean_near(value, "doubleSided", false);
 
   read_material_extensions(document, value, source);
   const std::optional<Value> extras = value.find("extras");
@@ -168,7 +169,7 @@ MapRef map_of_texture(const Document& document, int texture, const Value& where)
 MapRef read_texture_info(const Document& document, const Value& info, const char* scale_key) {
   MapRef map = map_of_texture(document, info.index("index", document.textures.size(), "texture"), info);
   std::uint64_t set = info.count_or("texCoord", 0, 0, 1000);
-  if (scale_key != nullptr) map.scale = static_cast<float>(info.number_or(scale_key, 1));
+  if (scale_key != nullptr) map.scale = static_cast<float>(number_near(info, scale_key, 1));
   if (const auto transform = extension(info, "KHR_texture_transform")) {
     map.transform = read_texture_transform(*transform);
     set = transform->count_or("texCoord", set, 0, 1000);
@@ -185,15 +186,17 @@ MapRef read_texture_info(const Document& document, const Value& info, const char
 }
 
 void read_textures(Document& document, const Value& root) {
-  root.for_each("images",
-                [&](const Value& value) { document.images.push_back(read_image(document, value)); });
+  root.for_each("images", [&](const Value& value) {
+    ImageSource& image = document.images.emplace_back();
+    image.fault = fault_of([&] { read_image(document, value, image); });
+  });
   std::vector<Texture> samplers;
   root.for_each("samplers", [&](const Value& value) { samplers.push_back(read_sampler(value)); });
   root.for_each("textures", [&](const Value& value) {
-    const int sampler = value.index_or_none("sampler", samplers.size(), "sampler");
+    const int sampler = index_near(value, "sampler", samplers.size(), "sampler");
     Texture texture = sampler >= 0 ? samplers[sampler] : Texture{};
     // KTX2 and WebP pictures of an extension are not read, but the plain source beside them is.
-    texture.image = value.index_or_none("source", document.images.size(), "image");
+    texture.image = index_near(value, "source", document.images.size(), "image");
     document.textures.push_back(texture);
   });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/gltf/document.h"
+#include "scene/gltf/lenient.h"
 
 namespace dermis::scene::gltf {
 
@@ -59,58 +60,93 @@ std::optional<Rule> target_rule(const std::string& semantic, bool quantized) {
   return std::nullopt;
 }
 
+/// Throws InputError for another shape. Numbers of another type are read all the same.
 void check_format(const Value& where, const std::string& semantic, const Accessor& a, const Rule& rule) {
+  check_fault(a.fault);
   const bool shape = a.columns == 1 && a.rows >= rule.least && a.rows <= rule.most;
-  if (shape && rule.formats.holds(a)) return;
-  where.fail("{} cannot be made of {} x {}{} ({})", semantic.substr(0, 40), a.components(),
-             a.normalized ? "normalized " : "", name_of(a.component), a.place);
+  if (!shape)
+    where.fail("{} cannot be made of {} x {}{} ({})", semantic.substr(0, 40), a.components(),
+               a.normalized ? "normalized " : "", name_of(a.component), a.place);
+  if (!rule.formats.holds(a))
+    warn_at(where, fmt::format("{} should not be made of {}{}, and is read all the same", semantic,
+                               a.normalized ? "normalized " : "", name_of(a.component)));
 }
 
-Attributes read_attributes(const Document& document, const Value& value) {
+/// Returns whether there are no triangles, or others, without an attribute.
+bool is_needed(const std::string& semantic) {
+  return semantic == "POSITION" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_");
+}
+
+/// Returns the attributes that can be read; of the others, those that the triangles can do without are left
+/// out. Throws InputError for a fault of the rest.
+template <class Check>
+Attributes read_attributes(const Document& document, const Value& value, const Check& check) {
   Attributes attributes;
   for (const std::string& semantic : value.keys()) {
-    attributes[semantic] = value.index(semantic.c_str(), document.accessors.size(), "accessor");
+    int accessor = -1;
+    const std::string fault = fault_of([&] {
+      accessor = value.index(semantic.c_str(), document.accessors.size(), "accessor");
+      check(semantic, document.accessors[static_cast<std::size_t>(accessor)]);
+    });
+    if (fault.empty())
+      attributes[semantic] = accessor;
+    else if (is_needed(semantic))
+      check_fault(fault);
+    else
+      warn_at(value, fmt::format("{} cannot be read, and is left out", semantic.substr(0, 40)));
   }
   return attributes;
 }
 
-void check_attributes(const Document& document, const Value& value, const MeshPrimitive& primitive) {
+Attributes read_vertices(const Document& document, const Value& value) {
+  const std::optional<Value> position = value.find("POSITION");
   std::uint64_t count = 0;
-  const auto position = primitive.attributes.find("POSITION");
-  if (position != primitive.attributes.end()) count = document.accessors[position->second].count;
-
-  for (const auto& [semantic, index] : primitive.attributes) {
-    const Accessor& accessor = document.accessors[index];
-    if (count == 0) count = accessor.count;
-    if (accessor.count != count)
-      value.fail("{} has {} elements, others have {}", semantic.substr(0, 40), accessor.count, count);
-    if (const auto rule = rule_for(semantic, document.quantized))
-      check_format(value, semantic, accessor, *rule);
+  if (position) {
+    const int accessor = value.index("POSITION", document.accessors.size(), "accessor");
+    count = document.accessors[static_cast<std::size_t>(accessor)].count;
   }
 
-  for (const char* set : {"0", "1"}) {
-    const bool joints = primitive.attributes.contains(std::string("JOINTS_") + set);
-    const bool weights = primitive.attributes.contains(std::string("WEIGHTS_") + set);
-    if (joints != weights)
-      value.fail("has {}_{} without {}_{}", joints ? "JOINTS" : "WEIGHTS", set, joints ? "WEIGHTS" : "JOINTS",
-                 set);
+  Attributes attributes =
+      read_attributes(document, value, [&](const std::string& semantic, const Accessor& a) {
+        const auto rule = rule_for(semantic, document.quantized);
+        if (!rule) return;
+        check_format(value, semantic, a, *rule);
+        if (position && a.count != count)
+          value.fail("{} has {} elements, others have {}", semantic.substr(0, 40), a.count, count);
+      });
+  for (const std::string set : {"0", "1"}) {
+    const bool joints = attributes.contains("JOINTS_" + set), weights = attributes.contains("WEIGHTS_" + set);
+    if (joints == weights) continue;
+    warn_at(value, fmt::format("has {}_{} without {}_{}, which is left out", joints ? "JOINTS" : "WEIGHTS",
+                               set, joints ? "WEIGHTS" : "JOINTS", set));
+    attributes.erase((joints ? "JOINTS_" : "WEIGHTS_") + set);
   }
+  return attributes;
 }
 
 Attributes read_target(const Document& document, const Value& value, const MeshPrimitive& primitive) {
-  Attributes target = read_attributes(document, value);
-  for (const auto& [semantic, index] : target) {
+  Attributes target;
+  for (const std::string& semantic : value.keys()) {
     const std::optional<Rule> rule = target_rule(semantic, document.quantized);
     const auto base = primitive.attributes.find(semantic);
-    // Morphed texture coordinates and colours are ignored.
-    if (!rule) continue;
-    if (base == primitive.attributes.end())
-      value.fail("morphs {}, which the primitive does not have", semantic);
-    const Accessor& accessor = document.accessors[index];
-    check_format(value, semantic, accessor, *rule);
-    const std::uint64_t expected = document.accessors[base->second].count;
-    if (accessor.count != expected)
-      value.fail("{} has {} elements, the primitive {}", semantic, accessor.count, expected);
+    // Morphed texture coordinates and colours are ignored, and directions that are made anew.
+    if (!rule || base == primitive.attributes.end()) {
+      if (rule) warn_at(value, fmt::format("morphs {}, which the primitive does not have", semantic));
+      continue;
+    }
+    int accessor = -1;
+    const std::string fault = fault_of([&] {
+      accessor = value.index(semantic.c_str(), document.accessors.size(), "accessor");
+      const Accessor& a = document.accessors[static_cast<std::size_t>(accessor)];
+      check_format(value, semantic, a, *rule);
+      const std::uint64_t expected = document.accessors[static_cast<std::size_t>(base->second)].count;
+      if (a.count != expected)
+        value.fail("{} has {} elements, the primitive {}", semantic, a.count, expected);
+    });
+    if (fault.empty())
+      target[semantic] = accessor;
+    else
+      warn_at(value, fmt::format("its morphed {} cannot be read, and is left out", semantic));
   }
   return target;
 }
@@ -121,8 +157,8 @@ DracoData read_draco(const Document& document, const Value& value, const MeshPri
   const Value attributes = value.at("attributes");
   for (const std::string& semantic : attributes.keys()) {
     draco.attributes[semantic] = static_cast<std::uint32_t>(attributes.at(semantic).count(0, 0xFFFFFFFF));
-    if (!primitive.attributes.contains(semantic))
-      attributes.fail("{} is not an attribute of the primitive", semantic.substr(0, 40));
+    // One that the primitive does not name is not read.
+    if (!primitive.attributes.contains(semantic)) draco.attributes.erase(semantic);
   }
   if (!draco.attributes.contains("POSITION")) attributes.fail("'POSITION' is missing");
   return draco;
@@ -133,30 +169,23 @@ void check_indices(const Document& document, const Value& value, const MeshPrimi
   const Accessor& a = document.accessors[primitive.indices];
   const bool integer =
       a.component == Component::uint8 || a.component == Component::uint16 || a.component == Component::uint32;
-  if (a.components() != 1 || !integer || a.normalized)
+  check_fault(a.fault);
+  if (a.components() != 1 || !integer)
     value.fail("indices cannot be {} x {} ({})", a.components(), name_of(a.component), a.place);
-  if (a.view >= 0 && document.views[a.view].stride != 0)
-    value.fail("the bufferView of the indices has a byteStride");
   if (a.view < 0 && !primitive.draco) value.fail("the indices' accessor has no bufferView");
 }
 
-MeshPrimitive read_primitive(const Document& document, const Value& value) {
-  MeshPrimitive primitive;
-  primitive.place = value.place();
+void read_primitive(const Document& document, const Value& value, MeshPrimitive& primitive) {
   primitive.mode = static_cast<int>(value.count_or("mode", 4, 0, 6));
-  primitive.material = value.index_or_none("material", document.materials.size(), "material");
+  primitive.material = index_near(value, "material", document.materials.size(), "material");
   primitive.indices = value.index_or_none("indices", document.accessors.size(), "accessor");
-  const Value attributes = value.at("attributes");
-  if (attributes.keys().empty()) attributes.fail("is empty");
-  primitive.attributes = read_attributes(document, attributes);
-  check_attributes(document, value, primitive);
+  primitive.attributes = read_vertices(document, value.at("attributes").object());
   if (const auto draco = extension(value, "KHR_draco_mesh_compression"))
     primitive.draco = read_draco(document, *draco, primitive);
   check_indices(document, value, primitive);
   value.for_each("targets", [&](const Value& target) {
     primitive.targets.push_back(read_target(document, target, primitive));
   });
-  return primitive;
 }
 
 // A convention of the glTF specification (3.7.2.2), not a rule: what is no list of names is left alone.
@@ -179,21 +208,28 @@ std::vector<std::string> read_target_names(const Value& mesh, std::size_t target
 void read_meshes(Document& document, const Value& root) {
   root.for_each("meshes", [&](const Value& value) {
     Mesh mesh;
-    mesh.name = value.text_or("name", value.place());
-    value.at("primitives");
-    value.for_each("primitives", [&](const Value& primitive) {
-      mesh.primitives.push_back(read_primitive(document, primitive));
-      const std::size_t first = mesh.primitives.front().targets.size(),
-                        here = mesh.primitives.back().targets.size();
-      if (here != first) primitive.fail("has {} morph targets, the mesh's first primitive {}", here, first);
+    mesh.name = text_near(value, "name", value.place());
+    if (!value.has("primitives")) warn_at(value, "has no primitives");
+    value.for_each("primitives", [&](const Value& part) {
+      MeshPrimitive& primitive = mesh.primitives.emplace_back();
+      primitive.place = part.place();
+      primitive.fault = fault_of([&] { read_primitive(document, part, primitive); });
+      mesh.targets = std::max(mesh.targets, primitive.targets.size());
     });
-    mesh.weights = value.numbers("weights", 0);
-    const std::size_t targets = mesh.primitives.front().targets.size();
-    if (!mesh.weights.empty() && mesh.weights.size() != targets)
-      value.fail("has {} weights for {} morph targets", mesh.weights.size(), targets);
-    mesh.target_names = read_target_names(value, targets);
+    mesh.weights = read_weights(value, mesh.targets);
+    mesh.target_names = read_target_names(value, mesh.targets);
     document.meshes.push_back(std::move(mesh));
   });
+}
+
+std::vector<double> read_weights(const Value& value, std::size_t targets) {
+  const std::optional<Value> given = value.find("weights");
+  if (!given || !given->is_array()) return {};
+  std::vector<double> weights = value.numbers("weights", 0);
+  if (weights.size() != targets)
+    warn_at(value, fmt::format("has {} weights for {} morph targets", weights.size(), targets));
+  weights.resize(targets);
+  return weights;
 }
 
 }  // namespace dermis::scene::gltf

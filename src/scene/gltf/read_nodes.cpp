@@ -1,24 +1,41 @@
 // SPDX-License-Identifier: MIT
 // Reads nodes, skins and scenes; checks that they form a tree.
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
 #include "scene/gltf/document.h"
+#include "scene/gltf/lenient.h"
 
 namespace dermis::scene::gltf {
 
 namespace {
 
-constexpr int max_depth = 64;
+constexpr double rounding = 1e-3;  // of the last row of a matrix
 
 glm::dmat4 read_matrix(const Value& value, const std::vector<double>& m) {
   for (const char* other : {"translation", "rotation", "scale"})
-    if (value.has(other)) value.fail("has both matrix and {}", other);
+    if (value.has(other)) warn_at(value, "has a matrix and its parts; the matrix counts");
   glm::dmat4 matrix;
-  for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = m[i];
-  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
-    value.fail("the last row of the matrix must be 0 0 0 1");
+  for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = m[static_cast<std::size_t>(i)];
+
+  const double off = std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1)});
+  if (off == 0) return matrix;
+  if (!(off <= rounding)) value.fail("the last row of the matrix must be 0 0 0 1");
+  warn_at(value, "the last row of its matrix is not quite 0 0 0 1, which is taken");
+  for (glm::length_t column = 0; column < 4; ++column) matrix[column][3] = column == 3 ? 1 : 0;
   return matrix;
+}
+
+glm::dquat read_rotation(const Value& value, const std::vector<double>& r) {
+  const glm::dquat q(r[3], r[0], r[1], r[2]);  // glm: w first
+  const double length = glm::length(q);
+  if (!(length > 1e-6 && std::isfinite(length))) {
+    warn_at(value.at("rotation"), "is a quaternion of length 0, and does not turn");
+    return {1, 0, 0, 0};
+  }
+  if (std::abs(length - 1) > 0.01) warn_at(value.at("rotation"), "is no unit quaternion, and is normalised");
+  return q / length;
 }
 
 Transform read_transform(const Value& value) {
@@ -26,13 +43,7 @@ Transform read_transform(const Value& value) {
                             s = value.numbers("scale", 3);
   Transform transform;
   if (!t.empty()) transform.translation = {t[0], t[1], t[2]};
-  if (!r.empty()) {
-    const glm::dquat q(r[3], r[0], r[1], r[2]);  // glm: w first
-    const double length = glm::length(q);
-    if (std::abs(length - 1) > 0.01)
-      value.at("rotation").fail("must be a unit quaternion, has length {}", length);
-    transform.rotation = q / length;
-  }
+  if (!r.empty()) transform.rotation = read_rotation(value, r);
   if (!s.empty()) transform.scale = {s[0], s[1], s[2]};
   return transform;
 }
@@ -50,79 +61,127 @@ void read_place(const Value& value, Node& node) {
 Node read_node(const Document& document, const Value& value, std::size_t nodes, std::size_t skins) {
   Node node;
   node.place = value.place();
-  node.name = value.text_or("name", "");
+  node.name = text_near(value, "name", "");
   read_place(value, node);
   node.mesh = value.index_or_none("mesh", document.meshes.size(), "mesh");
   node.skin = value.index_or_none("skin", skins, "skin");
-  node.camera = value.index_or_none("camera", document.cameras.size(), "camera");
+  node.camera = index_near(value, "camera", document.cameras.size(), "camera");
   if (const auto light = extension(value, "KHR_lights_punctual"))
-    node.light = light->index("light", document.lights.size(), "light");
+    node.light = index_near(*light, "light", document.lights.size(), "light");
   node.children = value.indices("children", nodes, "node");
-  node.weights = value.numbers("weights", 0);
 
-  if (node.mesh < 0 && node.skin >= 0) value.fail("has a skin but no mesh");
-  if (node.mesh < 0 && !node.weights.empty()) value.fail("has weights but no mesh");
-  if (node.mesh < 0) return node;
-
-  const Mesh& mesh = document.meshes[node.mesh];
-  const std::size_t targets = mesh.primitives.front().targets.size();
-  if (!node.weights.empty() && node.weights.size() != targets)
-    value.fail("has {} weights for {} morph targets", node.weights.size(), targets);
-  for (const MeshPrimitive& primitive : mesh.primitives)
-    if (node.skin >= 0 && !primitive.attributes.contains("JOINTS_0"))
-      value.fail("has a skin, but {} has no JOINTS_0", primitive.place);
+  if (node.mesh < 0 && node.skin >= 0) warn_at(value, "has a skin but no mesh");
+  if (node.mesh < 0) node.skin = -1;
+  if (node.mesh >= 0) node.weights = read_weights(value, document.meshes[node.mesh].targets);
   return node;
 }
 
-void link_parents(Document& document) {
-  for (std::size_t i = 0; i < document.nodes.size(); ++i)
-    for (const int child : document.nodes[i].children) {
-      Node& node = document.nodes[child];
-      if (node.parent >= 0)
-        throw input_error(document.file, "{}: has two parents, nodes {} and {}", node.place, node.parent, i);
-      node.parent = static_cast<int>(i);
+/// Takes a node from its parent.
+void detach(Document& document, int node) {
+  Node& child = document.nodes[static_cast<std::size_t>(node)];
+  std::erase(document.nodes[static_cast<std::size_t>(child.parent)].children, node);
+  child.parent = -1;
+}
+
+/// Opens loops, which no root leads to: one node of each becomes a root.
+void open_loops(Document& document) {
+  std::vector<bool> in_tree(document.nodes.size(), false);
+  for (const int node : parents_first(document)) in_tree[static_cast<std::size_t>(node)] = true;
+
+  std::vector<int> seen_from(document.nodes.size(), -1);
+  for (int first = 0; first < static_cast<int>(document.nodes.size()); ++first) {
+    if (in_tree[static_cast<std::size_t>(first)]) continue;
+    int node = first;
+    for (; seen_from[static_cast<std::size_t>(node)] != first;
+         node = document.nodes[static_cast<std::size_t>(node)].parent)
+      seen_from[static_cast<std::size_t>(node)] = first;
+    warn_at(document.file, document.nodes[static_cast<std::size_t>(node)].place,
+            "is its own ancestor, and has no parent now");
+    detach(document, node);
+
+    std::vector<int> below{node};
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      in_tree[static_cast<std::size_t>(below[i])] = true;
+      const std::vector<int>& children = document.nodes[static_cast<std::size_t>(below[i])].children;
+      below.insert(below.end(), children.begin(), children.end());
     }
-  // Every node has at most one parent here, so the way up either ends at a root or is a loop.
-  for (const Node& node : document.nodes) {
-    int steps = 0;
-    for (int up = node.parent; up >= 0; up = document.nodes[up].parent)
-      if (++steps > max_depth || &document.nodes[up] == &node)
-        throw input_error(document.file, "{}: {}", node.place,
-                          steps > max_depth
-                              ? fmt::format("is nested deeper than {} levels, or in a loop", max_depth)
-                              : "is its own ancestor");
   }
 }
 
+/// Leaves a tree: each node has one parent at most, and none is its own ancestor.
+void link_parents(Document& document) {
+  for (std::size_t i = 0; i < document.nodes.size(); ++i)
+    std::erase_if(document.nodes[i].children, [&](int child) {
+      Node& node = document.nodes[static_cast<std::size_t>(child)];
+      if (node.parent >= 0) {
+        warn_at(document.file, node.place, "has two parents; the first counts");
+        return true;
+      }
+      node.parent = static_cast<int>(i);
+      return false;
+    });
+  open_loops(document);
+}
+
+void read_skin(const Document& document, const Value& value, Skin& skin) {
+  skin.joints = value.indices("joints", document.nodes.size(), "node");
+  skin.inverse_bind = value.index_or_none("inverseBindMatrices", document.accessors.size(), "accessor");
+  if (skin.inverse_bind < 0) return;
+  const Accessor& a = document.accessors[static_cast<std::size_t>(skin.inverse_bind)];
+  check_fault(a.fault);
+  if (a.columns != 4 || a.rows != 4 || a.component != Component::float32)
+    value.fail("inverseBindMatrices must be MAT4 of FLOAT");
+  if (a.count < skin.joints.size())
+    value.fail("has {} inverseBindMatrices for {} joints", a.count, skin.joints.size());
+}
+
+/// A skin that cannot be used refuses the nodes that are drawn with it; one without joints leaves them where
+/// they are.
 void read_skins(Document& document, const Value& root) {
   root.for_each("skins", [&](const Value& value) {
-    Skin skin;
-    value.at("joints");
-    skin.joints = value.indices("joints", document.nodes.size(), "node");
-    value.index_or_none("skeleton", document.nodes.size(), "node");
-    skin.inverse_bind = value.index_or_none("inverseBindMatrices", document.accessors.size(), "accessor");
-    if (skin.inverse_bind >= 0) {
-      const Accessor& a = document.accessors[skin.inverse_bind];
-      if (a.columns != 4 || a.rows != 4 || a.component != Component::float32)
-        value.fail("inverseBindMatrices must be MAT4 of FLOAT");
-      if (a.count < skin.joints.size())
-        value.fail("has {} inverseBindMatrices for {} joints", a.count, skin.joints.size());
-    }
-    document.skins.push_back(std::move(skin));
+    Skin& skin = document.skins.emplace_back();
+    skin.fault = fault_of([&] { read_skin(document, value, skin); });
+    if (skin.fault.empty() && skin.joints.empty()) warn_at(value, "has no joints");
   });
+  for (Node& node : document.nodes)
+    if (node.skin >= 0) {
+      const Skin& skin = document.skins[static_cast<std::size_t>(node.skin)];
+      if (skin.fault.empty() && skin.joints.empty()) node.skin = -1;
+    }
+}
+
+/// Returns those of the nodes that none of the others leads to, each once.
+std::vector<int> without_descendants(const Document& document, const Value& where,
+                                     const std::vector<int>& nodes) {
+  std::vector<bool> shown(document.nodes.size(), false);  // by what was named, or by a parent
+  for (const int node : nodes) shown[static_cast<std::size_t>(node)] = true;
+  std::vector<bool> below(document.nodes.size(), false);
+  for (const int n : parents_first(document)) {
+    const auto node = static_cast<std::size_t>(n);
+    if (document.nodes[node].parent < 0) continue;
+    below[node] = shown[static_cast<std::size_t>(document.nodes[node].parent)];
+    shown[node] = shown[node] || below[node];
+  }
+
+  std::vector<int> kept;
+  for (const int node : nodes) {
+    if (below[static_cast<std::size_t>(node)]) {
+      warn_at(where, fmt::format("shows node {} twice", node));
+      continue;
+    }
+    kept.push_back(node);
+    below[static_cast<std::size_t>(node)] = true;
+  }
+  return kept;
 }
 
 void read_scenes(Document& document, const Value& root) {
-  std::vector<std::vector<int>> scenes;
-  root.for_each("scenes", [&](const Value& value) {
-    scenes.push_back(value.indices("nodes", document.nodes.size(), "node"));
-    for (const int node : scenes.back())
-      if (document.nodes[node].parent >= 0)
-        value.fail("node {} is not a root: it is a child of node {}", node, document.nodes[node].parent);
-  });
-  const int shown = root.index_or_none("scene", scenes.size(), "scene");
-  if (!scenes.empty()) {
-    document.roots = scenes[shown >= 0 ? shown : 0];
+  const std::size_t scenes = root.size_of("scenes");
+  if (scenes > 0) {
+    const int shown = index_near(root, "scene", scenes, "scene");
+    const Value scene = root.at("scenes").element(static_cast<std::size_t>(std::max(shown, 0)));
+    const std::vector<int> nodes = scene.object().indices("nodes", document.nodes.size(), "node");
+    document.roots = without_descendants(document, scene, nodes);
     return;
   }
   for (std::size_t i = 0; i < document.nodes.size(); ++i)
@@ -130,6 +189,18 @@ void read_scenes(Document& document, const Value& root) {
 }
 
 }  // namespace
+
+std::vector<int> parents_first(const Document& document) {
+  std::vector<int> order;
+  order.reserve(document.nodes.size());
+  for (std::size_t i = 0; i < document.nodes.size(); ++i)
+    if (document.nodes[i].parent < 0) order.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::vector<int>& children = document.nodes[static_cast<std::size_t>(order[i])].children;
+    order.insert(order.end(), children.begin(), children.end());
+  }
+  return order;
+}
 
 void read_nodes(Document& document, const Value& root) {
   const std::size_t nodes = root.size_of("nodes"), skins = root.size_of("skins");

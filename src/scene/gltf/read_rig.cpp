@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/assert.h"
+#include "scene/gltf/lenient.h"
 #include "scene/gltf/play.h"
 
 namespace dermis::scene::gltf {
@@ -58,17 +59,6 @@ std::vector<RigNode> read_nodes_of(const Document& document) {
   return nodes;
 }
 
-std::vector<int> parents_first(const Document& document) {
-  std::vector<int> order;
-  for (std::size_t i = 0; i < document.nodes.size(); ++i)
-    if (document.nodes[i].parent < 0) order.push_back(static_cast<int>(i));
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::vector<int>& children = document.nodes[order[i]].children;
-    order.insert(order.end(), children.begin(), children.end());
-  }
-  return order;
-}
-
 // Numbers the matrices of a rig as they are asked for.
 class Matrices {
  public:
@@ -86,6 +76,7 @@ class Matrices {
     const auto [entry, is_new] = skins_.try_emplace(skin, number());
     if (!is_new) return entry->second;
     const Skin& source = document_.skins[skin];
+    check_fault(source.fault);
     const std::vector<float> bind =
         source.inverse_bind >= 0 ? bytes_.floats(source.inverse_bind) : std::vector<float>{};
     for (std::size_t j = 0; j < source.joints.size(); ++j) {
@@ -232,8 +223,7 @@ void add_directions(const LocalMesh& local, const Primitive& primitive, bool own
 bool can_move(const Document& document) {
   return !document.animations.empty() ||
          std::any_of(document.nodes.begin(), document.nodes.end(), [&](const Node& node) {
-           return node.skin >= 0 ||
-                  (node.mesh >= 0 && !document.meshes[node.mesh].primitives[0].targets.empty());
+           return node.skin >= 0 || (node.mesh >= 0 && document.meshes[node.mesh].targets > 0);
          });
 }
 

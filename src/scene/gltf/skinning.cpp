@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "scene/gltf/lenient.h"
+
 namespace dermis::scene::gltf {
 
 const std::vector<glm::dmat4>& JointMatrices::of(int node) {
@@ -10,6 +12,7 @@ const std::vector<glm::dmat4>& JointMatrices::of(int node) {
   const auto [entry, is_new] = by_skin_.try_emplace(number);
   if (number < 0 || !is_new) return entry->second;
   const Skin& skin = document_.skins[number];
+  check_fault(skin.fault);
   const std::vector<float> inverse_bind =
       skin.inverse_bind >= 0 ? bytes_.floats(skin.inverse_bind) : std::vector<float>{};
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
@@ -27,13 +30,21 @@ const std::vector<glm::dmat4>& JointMatrices::of(int node) {
 Frames::Frames(const Document& document, const glm::dmat4& node_world, const std::vector<glm::dmat4>& joints)
     : document_(document), rigid_(frame_of(node_world)), joints_(joints) {}
 
-void Frames::check_joints(const LocalMesh& mesh, const MeshPrimitive& primitive) const {
+void Frames::repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) const {
   if (joints_.empty()) return;
-  for (int set = 0; set < 2; ++set)
-    for (std::size_t i = 0; i < mesh.joints[set].size(); ++i)
-      if (mesh.weights[set][i] != 0 && static_cast<std::size_t>(mesh.joints[set][i]) >= joints_.size())
-        throw input_error(document_.file, "{}: vertex {} hangs on joint {}, the skin has {}", primitive.place,
-                          i / 4, mesh.joints[set][i], joints_.size());
+  if (mesh.joints[0].empty() && mesh.joints[1].empty())
+    warn_at(document_.file, primitive.place,
+            "has no joints, though its node has a skin: it follows the node");
+  const auto most = static_cast<float>(joints_.size());
+  bool beyond = false;
+  for (std::size_t set = 0; set < 2; ++set)
+    for (std::size_t i = 0; i < mesh.joints[set].size(); ++i) {
+      if (mesh.weights[set][i] == 0 || (mesh.joints[set][i] >= 0 && mesh.joints[set][i] < most)) continue;
+      mesh.weights[set][i] = 0;
+      beyond = true;
+    }
+  if (beyond)
+    warn_at(document_.file, primitive.place, "has vertices that hang on joints which the skin does not have");
 }
 
 Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {

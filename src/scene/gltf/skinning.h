@@ -28,10 +28,11 @@ class Frames {
   /// Takes `joints` from JointMatrices; they must outlive this.
   Frames(const Document& document, const glm::dmat4& node_world, const std::vector<glm::dmat4>& joints);
 
-  /// Throws InputError for a joint number beyond the skin's joints.
-  void check_joints(const LocalMesh& mesh, const MeshPrimitive& primitive) const;
+  /// Takes the weight of joints that the skin does not have. Warns of them, and of a mesh that has no joints
+  /// at all and follows its node.
+  void repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) const;
   const Frame& of_node() const { return rigid_; }  ///< without its skin
-  /// Returns the frame of vertex i of a mesh whose joints were checked.
+  /// Returns the frame of vertex i of a mesh whose weights were repaired.
   Frame at(const LocalMesh& mesh, std::size_t i) const;
 
  private:

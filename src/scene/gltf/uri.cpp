@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf/uri.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -100,8 +101,13 @@ std::filesystem::path uri_path(const std::filesystem::path& folder, const std::s
     if (fs::path(name).is_absolute())
       throw input_error(where, "'{}' is an absolute path; only files beside the scene are read", shown);
   std::error_code ignored;
-  if (decoded && !fs::exists(folder / *decoded, ignored) && fs::exists(folder / uri, ignored))
-    return folder / uri;
+  if (decoded && fs::exists(folder / *decoded, ignored)) return folder / *decoded;
+  if (fs::exists(folder / uri, ignored)) return folder / uri;
+
+  // As writers on Windows have it.
+  std::string slashes = decoded.value_or(uri);
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  if (!fs::path(slashes).is_absolute() && fs::exists(folder / slashes, ignored)) return folder / slashes;
   return folder / decoded.value_or(uri);
 }
 

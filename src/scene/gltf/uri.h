@@ -15,8 +15,9 @@ namespace dermis::scene::gltf {
 /// (place `where`) if it is not well-formed base64.
 std::optional<std::vector<std::byte>> data_uri(std::string_view uri, const std::string& where);
 
-/// Returns the file that a relative uri names: percent-decoded, or unchanged if only that exists. Throws
-/// InputError (place `where`) for a scheme (http:, C:), an absolute path, an empty name.
+/// Returns the file that a relative uri names: percent-decoded, or unchanged, or with slashes for
+/// backslashes, if only that exists. Throws InputError (place `where`) for a scheme (http:, C:), an absolute
+/// path, an empty name.
 std::filesystem::path uri_path(const std::filesystem::path& folder, const std::string& uri,
                                const std::string& where);
 

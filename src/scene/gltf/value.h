@@ -19,10 +19,11 @@ namespace dermis::scene::gltf {
 using json::max_count;
 using json::Value;
 
-/// The JSON of a file, within the limits for a scene. InputError: not JSON, a byte-order mark, no object.
+/// The JSON of a file, within the limits for a scene. Warns of a byte-order mark, and of null and empty
+/// members, which it leaves out. InputError: not JSON, no object.
 json::Document parse(std::string_view text, const std::string& file);
 
-/// The extension of this object by that name, which is an object too.
+/// The extension of this object by that name, if it is an object; else warns.
 std::optional<Value> extension(const Value& value, const char* name);
 
 }  // namespace dermis::scene::gltf

@@ -123,12 +123,6 @@ TEST(GltfHostile, NumbersThatAreNone) {
     b.mesh({{"POSITION", b.accessor({0, 0, 0, bad, 0, 0, 0, 1, 0}, "VEC3")}});
     EXPECT_ERROR(b.error(), "POSITION of vertex 1 is not finite");
 
-    Builder uv;
-    uv.triangle();
-    uv.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
-        uv.accessor({0, 0, 1, bad, 0, 1}, "VEC2");
-    EXPECT_ERROR(uv.error(), "TEXCOORD_0 of vertex 1 is not finite");
-
     Builder normal;  // can be made anew
     normal.triangle();
     normal.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
@@ -144,7 +138,6 @@ TEST(GltfHostile, NumbersThatAreNone) {
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["translation"] = {1e300, 0, 0}; }), "out of range");
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["matrix"] = std::vector<double>(16, 1); }),
                "last row");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["rotation"] = {0, 0, 0, 0}; }), "unit quaternion");
 }
 
 TEST(GltfHostile, RangesAndReferences) {
@@ -159,31 +152,27 @@ TEST(GltfHostile, RangesAndReferences) {
                "reach past the end of its bufferView");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 1ull << 47; }),
                "reach past the end of its bufferView");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 1ull << 63; }), "must be 1 to");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 0; }), "must be 1 to");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = -3; }), "must be 1 to");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 1ull << 63; }), "must be 0 to");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 0; }), "no triangles to draw");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = -3; }), "must be 0 to");
   EXPECT_ERROR(bent([](Builder& b) { b.json["accessors"][0]["count"] = 2.5; }), "must be an integer");
 
   EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteLength"] = 1000; }),
                "reach past the end of its buffer");
   EXPECT_ERROR(bent([](Builder& b) { b.json["bufferViews"][0]["byteOffset"] = (1ull << 48) - 1; }),
                "reach past the end of its buffer");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["buffers"][0]["byteLength"] = 1000; }), "cut off");
   EXPECT_ERROR(bent([](Builder& b) {
-                 b.json["buffers"][0]["byteLength"] = 36;
-                 b.json["bufferViews"].erase(1);
-                 b.json["accessors"].erase(1);
-                 b.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
+                 b.json["buffers"][0]["byteLength"] = 1000;
+                 b.json["bufferViews"][0]["byteOffset"] = 40;
                }),
-               "the binary chunk has 60 bytes");
+               "cut off: bytes 40 to 76 are used, there are 60");
 
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["mesh"] = 1; }), "there is no mesh 1");
   EXPECT_ERROR(bent([](Builder& b) { b.json["nodes"][0]["mesh"] = "0"; }), "must be an integer, is string");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["scenes"][0]["nodes"] = {0, 0}; }), "twice");
-  EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"] = Json::array(); }), "empty array");
+  EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"] = Json::array(); }),
+               "no triangles to draw");
   EXPECT_ERROR(bent([](Builder& b) { b.json["meshes"][0]["primitives"][0]["mode"] = 7; }), "must be 0 to 6");
 
-  EXPECT_ERROR(bent([](Builder& b) { b.json.erase("asset"); }), "'asset' is missing");
   EXPECT_ERROR(bent([](Builder& b) { b.json["asset"]["version"] = "1.0"; }), "glTF 1.0 is not supported");
   EXPECT_ERROR(bent([](Builder& b) { b.json["extensionsRequired"] = {"EXT_of_tomorrow"}; }),
                "requires the extension EXT_of_tomorrow");
@@ -257,13 +246,27 @@ TEST(GltfHostile, SmallFilesThatClaimMuch) {
 
 TEST(GltfHostile, MessagesStayOneLine) {
   const std::string nasty = "a\nb\r\x1b[2J" + std::string(5000, 'x');
-  for (const std::string& error :
-       {bent([&](Builder& b) { b.json["extensionsRequired"] = {nasty}; }),
-        bent([&](Builder& b) { b.json["buffers"][0]["uri"] = nasty; }),
-        bent([&](Builder& b) { b.json["meshes"][0]["primitives"][0]["attributes"][nasty] = 99; })}) {
+  for (const std::string& error : {bent([&](Builder& b) { b.json["extensionsRequired"] = {nasty}; }),
+                                   bent([&](Builder& b) { b.json["buffers"][0]["uri"] = nasty; })}) {
     ASSERT_FALSE(error.empty());
     EXPECT_LE(error.size(), 2000u);
     for (const char c : error) EXPECT_GE(static_cast<unsigned char>(c), 0x20);
+  }
+
+  Builder b;
+  b.triangle();
+  b.json["meshes"][0]["primitives"][0]["attributes"][nasty] = 99;
+  b.json["images"] = {{{"uri", nasty}}};
+  b.json["textures"] = {{{"source", 0}}};
+  b.json["materials"] = {{{"name", "skin"}, {"normalTexture", {{"index", 0}}}},
+                         {{"name", "lash"}, {"normalTexture", {{"index", 7}, {nasty, 1}}}}};
+  for (const int material : {0, 1}) {
+    b.json["meshes"][0]["primitives"][0]["material"] = material;
+    const tests::LogLines said;
+    EXPECT_EQ(b.error(), "");
+    EXPECT_GE(said.all.size(), 2u);
+    for (const std::string& line : said.all)
+      for (const char c : line) EXPECT_GE(static_cast<unsigned char>(c), 0x20);
   }
 }
 

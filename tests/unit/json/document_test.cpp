@@ -36,6 +36,19 @@ TEST(JsonDocument, DepthAndValuesAreLimited) {
   EXPECT_EQ(error_of("[1, 2, 3]", {.values = 4}), "a.json: the JSON has more than 4 values");
 }
 
+TEST(JsonDocument, NullAndEmptyMembersCanBeAbsent) {
+  const char* text = R"({"a": null, "b": [], "c": [{"d": null}, [], null], "extras": {"e": []}, "f": null,
+                         "extensions": {"g": []}})";
+  const Document kept(text, "a.json");
+  EXPECT_TRUE(kept.root().has("a"));
+  EXPECT_EQ(kept.left_out().count, 0u);
+
+  const Document document(text, "a.json", {.empty_is_absent = true});
+  EXPECT_EQ(document.root().dump(), R"({"c":[{},[],null],"extensions":{},"extras":{"e":[]}})");
+  EXPECT_EQ(document.left_out().count, 4u) << "those of extensions do not count";
+  EXPECT_EQ(document.left_out().first, (std::vector<std::string>{"a", "b", "c[0].d"}));
+}
+
 TEST(JsonDocument, AKeyGivenTwiceIsNamedWithItsPlace) {
   EXPECT_EQ(error_of(R"({"a": 1, "a": 2})"), "a.json: key 'a' is given twice");
   EXPECT_EQ(error_of(R"({"x": 1, "list": [0, [], {"y": {"a": 1, "b": [1, 2], "a": 2}}]})"),

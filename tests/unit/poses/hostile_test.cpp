@@ -79,12 +79,12 @@ const Hostile hostile[] = {
      [](Sound& b) {
        b.replace({0, 0}, {0, 0, 0, 1, 0, 0});
      },
-     "", "times must rise; 0 s follows 0 s"},
+     "", ""},
     {"times fall",
      [](Sound& b) {
        b.replace({1, 0.5f}, {0, 0, 0, 1, 0, 0});
      },
-     "", "0.5 s follows 1 s"},
+     "", "times must not fall; 0.5 s follows 1 s"},
     {"a time is nan",
      [](Sound& b) {
        b.replace({NAN}, {0, 0, 0});
@@ -99,10 +99,10 @@ const Hostile hostile[] = {
      [](Sound& b) {
        b.replace({-1}, {0, 0, 0});
      },
-     "", "time 0 is -1"},
+     "", ""},
     {"no times",
      [](Sound& b) { b.json["accessors"][b.clip()["samplers"][0]["input"].get<std::size_t>()]["count"] = 0; },
-     "count: must be 1 to", nullptr},
+     "", "has no key frames"},
     {"a key is nan",
      [](Sound& b) {
        b.replace({0}, {0, NAN, 0});
@@ -153,24 +153,31 @@ const Hostile hostile[] = {
        b.replace({0, 1}, {0, 0, 0, 1, 0, 0, 0, -1}, "VEC4", "rotation");
      },
      "", ""},
-    {"a sampler that is missing", [](Sound& b) { b.clip()["channels"][0]["sampler"] = 7; }, "sampler",
-     nullptr},
-    {"a channel without a sampler", [](Sound& b) { b.clip()["channels"][0].erase("sampler"); }, "sampler",
-     nullptr},
-    {"a node that is missing", [](Sound& b) { b.clip()["channels"][0]["target"]["node"] = 9; }, "node",
-     nullptr},
-    {"a sampler without times", [](Sound& b) { b.clip()["samplers"][0].erase("input"); }, "input", nullptr},
-    {"a sampler without values", [](Sound& b) { b.clip()["samplers"][0]["output"] = 99; }, "output", nullptr},
-    {"a way that is none", [](Sound& b) { b.clip()["samplers"][0]["interpolation"] = "BEZIER"; },
-     "LINEAR, STEP or CUBICSPLINE", nullptr},
-    {"weights without targets", [](Sound& b) { b.clip()["channels"][0]["target"]["path"] = "weights"; },
-     "no morph targets", nullptr},
+    {"a sampler that is missing", [](Sound& b) { b.clip()["channels"][0]["sampler"] = 7; }, "",
+     "there is no sampler 7"},
+    {"a channel without a sampler", [](Sound& b) { b.clip()["channels"][0].erase("sampler"); }, "",
+     "'sampler' is missing"},
+    {"a node that is missing", [](Sound& b) { b.clip()["channels"][0]["target"]["node"] = 9; }, "",
+     "there is no node 9"},
+    {"a sampler without times", [](Sound& b) { b.clip()["samplers"][0].erase("input"); }, "",
+     "'input' is missing"},
+    {"a sampler without values", [](Sound& b) { b.clip()["samplers"][0]["output"] = 99; }, "",
+     "there is no accessor 99"},
+    {"a way that is none", [](Sound& b) { b.clip()["samplers"][0]["interpolation"] = "BEZIER"; }, "",
+     "LINEAR, STEP or CUBICSPLINE"},
+    {"weights without targets",
+     [](Sound& b) {
+       b.add(0, "translation");
+       b.clip()["channels"][0]["target"]["path"] = "weights";
+     },
+     "", ""},
     {"a joint of no node",
      [](Sound& b) {
+       b.hangs_on(0);
        b.json["skins"][0]["joints"] = {1, 12};
      },
      "joint", nullptr},
-    {"vertices on a joint that the skin lacks", [](Sound& b) { b.hangs_on(7); }, "hangs on joint 7", nullptr},
+    {"vertices on a joint that the skin lacks", [](Sound& b) { b.hangs_on(7); }, "", ""},
     {"vertices on a joint", [](Sound& b) { b.hangs_on(0); }, "", ""},
     {"a bind matrix that is nan",
      [](Sound& b) {
@@ -185,22 +192,17 @@ const Hostile hostile[] = {
        b.json["nodes"][0]["children"] = {1};
        b.json["nodes"][1]["children"] = {0};
      },
-     "ancestor", nullptr},
-    {"a node below itself", [](Sound& b) { b.json["nodes"][0]["children"] = {0}; }, "ancestor", nullptr},
+     "", ""},
+    {"a node below itself", [](Sound& b) { b.json["nodes"][0]["children"] = {0}; }, "", ""},
     {"a node with a matrix",
      [](Sound& b) { b.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }, "",
-     "which has a matrix"},
+     ""},
     {"ten thousand targets", [](Sound& b) { b.targets(10'000); }, "", ""},
     {"a clip of length 0",
      [](Sound& b) {
        b.replace({0}, {0.5f, 0, 0});
      },
      "", ""},
-    {"a clip of nothing",
-     [](Sound& b) {
-       b.clip() = {{"samplers", Json::array()}, {"channels", Json::array()}};
-     },
-     "samplers: is an empty array", nullptr},
     {"two channels of one thing", [](Sound& b) { b.add(0, "translation"); }, "", ""},
     {"a channel of no node", [](Sound& b) { b.clip()["channels"][0]["target"].erase("node"); }, "", ""},
 };

@@ -144,12 +144,12 @@ TEST(FaultyRigs, AreShownAtRest) {
   b.triangle();
   b.json["animations"] = Json::array(
       {{{"samplers",
-         {{{"input", b.accessor({0, 0}, "SCALAR")}, {"output", b.accessor({0, 0, 0, 1, 0, 0}, "VEC3")}}}},
+         {{{"input", b.accessor({1, 0}, "SCALAR")}, {"output", b.accessor({0, 0, 0, 1, 0, 0}, "VEC3")}}}},
         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}});
   const Warnings warnings;
   const Scene scene = b.load();
   ASSERT_TRUE(scene.rig);
-  EXPECT_ERROR(scene.rig->clips.at(0).error, "times must rise; 0 s follows 0 s");
+  EXPECT_ERROR(scene.rig->clips.at(0).error, "times must not fall; 0 s follows 1 s");
 
   Json& primitive = b.json["meshes"][0]["primitives"][0];
   primitive["targets"] = Json::array({{{"POSITION", b.accessor({0, 0, 0, NAN, 0, 0, 0, 0, 0}, "VEC3")}}});
