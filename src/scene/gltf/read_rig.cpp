@@ -125,7 +125,7 @@ void add_influences(const LocalMesh& local, bool skinned, std::uint32_t first_jo
           if (local.weights[set][k] != 0) visit(local.joints[set][k], double{local.weights[set][k]});
     };
     for_each_weight([&](float, double weight) { sum += weight; });
-    // As Frames::at(): a vertex without weight follows the node.
+    // As Frames::at(): without joints a vertex follows the node.
     if (!(sum > 1e-6)) {
       mesh.influences.push_back({.matrix = own, .weight = 1});
       continue;

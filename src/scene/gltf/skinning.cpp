@@ -7,6 +7,19 @@
 
 namespace dermis::scene::gltf {
 
+namespace {
+
+constexpr double least_weight = 1e-6;
+
+double sum_of_weights(const LocalMesh& mesh, std::size_t vertex) {
+  double sum = 0;
+  for (const std::vector<float>& weights : mesh.weights)
+    for (std::size_t k = 4 * vertex; k < 4 * vertex + 4 && k < weights.size(); ++k) sum += weights[k];
+  return sum;
+}
+
+}  // namespace
+
 const std::vector<glm::dmat4>& JointMatrices::of(int node) {
   const int number = document_.nodes[node].skin;
   const auto [entry, is_new] = by_skin_.try_emplace(number);
@@ -33,18 +46,33 @@ Frames::Frames(const Document& document, const glm::dmat4& node_world, const std
 void Frames::repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) const {
   if (joints_.empty()) return;
   if (mesh.joints[0].empty() && mesh.joints[1].empty())
-    warn_at(document_.file, primitive.place,
-            "has no joints, though its node has a skin: it follows the node");
+    return warn_at(document_.file, primitive.place,
+                   "has no joints, though its node has a skin: it follows the node");
+
   const auto most = static_cast<float>(joints_.size());
+  const auto is_there = [&](float joint) { return joint >= 0 && joint < most; };
   bool beyond = false;
   for (std::size_t set = 0; set < 2; ++set)
     for (std::size_t i = 0; i < mesh.joints[set].size(); ++i) {
-      if (mesh.weights[set][i] == 0 || (mesh.joints[set][i] >= 0 && mesh.joints[set][i] < most)) continue;
+      if (mesh.weights[set][i] == 0 || is_there(mesh.joints[set][i])) continue;
       mesh.weights[set][i] = 0;
       beyond = true;
     }
   if (beyond)
     warn_at(document_.file, primitive.place, "has vertices that hang on joints which the skin does not have");
+
+  // As other viewers do. The node of a skinned mesh may stand anywhere, in any unit.
+  bool loose = false;
+  const std::size_t first = mesh.joints[0].empty() ? 1 : 0;
+  for (std::size_t i = 0; i < mesh.vertices; ++i) {
+    if (sum_of_weights(mesh, i) > least_weight) continue;
+    float& joint = mesh.joints[first][4 * i];
+    if (!is_there(joint)) joint = 0;
+    mesh.weights[first][4 * i] = 1;
+    loose = true;
+  }
+  if (loose)
+    warn_at(document_.file, primitive.place, "has vertices without weight, which hang on their first joint");
 }
 
 Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {
@@ -58,9 +86,8 @@ Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {
       blended += weight * joints_[static_cast<std::size_t>(mesh.joints[set][k])];
       sum += weight;
     }
-  // Weights that do not sum to 1 would pull the vertex towards the origin. A vertex without weight follows
-  // the node.
-  if (!(sum > 1e-6)) return rigid_;
+  // Weights that do not sum to 1 would pull the vertex towards the origin.
+  if (!(sum > least_weight)) return rigid_;
   return frame_of(blended / sum);
 }
 

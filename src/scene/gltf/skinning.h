@@ -28,8 +28,8 @@ class Frames {
   /// Takes `joints` from JointMatrices; they must outlive this.
   Frames(const Document& document, const glm::dmat4& node_world, const std::vector<glm::dmat4>& joints);
 
-  /// Takes the weight of joints that the skin does not have. Warns of them, and of a mesh that has no joints
-  /// at all and follows its node.
+  /// Takes the weight of joints that the skin does not have; then hangs vertices without weight on their
+  /// first joint. Warns of both, and of a mesh that has no joints at all and follows its node.
   void repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) const;
   const Frame& of_node() const { return rigid_; }  ///< without its skin
   /// Returns the frame of vertex i of a mesh whose weights were repaired.

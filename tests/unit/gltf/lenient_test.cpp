@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What differs from the specification in something that the picture does not
-// need: it is drawn, and a warning says so. docs/assets.md has the table.
+// What differs from the specification in something that the picture does not need: it is drawn, and a warning
+// says so. docs/assets.md has the table.
 #include <cmath>
 #include <cstring>
 #include <limits>
 
+#include "scene/rig.h"
 #include "support.h"
 
 namespace dermis::scene::test {
@@ -192,6 +193,39 @@ TEST(GltfLenient, APrimitiveWithoutJointsFollowsItsNode) {
       "JOINTS_0 should not be made of FLOAT");
 }
 
+// The node may stand anywhere: only the joint says where the vertex is.
+TEST(GltfLenient, VerticesWithoutWeightHangOnTheirFirstJoint) {
+  const auto bend = [](float first, float weight) {
+    return [=](Builder& b) {
+      std::vector<float> joints(12, 0), weights(12, 0);
+      for (const std::size_t vertex : {0, 1, 2}) weights[4 * vertex] = vertex == 1 ? weight : 1;
+      joints[4] = first;
+      primitive_of(b)["attributes"]["JOINTS_0"] = b.accessor(joints, "VEC4", 5121);
+      primitive_of(b)["attributes"]["WEIGHTS_0"] = b.accessor(weights, "VEC4");
+      b.json["nodes"][0]["skin"] = 0;
+      b.json["nodes"][0]["translation"] = {100, 0, 0};
+      b.json["nodes"].push_back({{"translation", {0, 3, 0}}});
+      b.json["nodes"].push_back({{"translation", {0, 0, 7}}});
+      b.json["skins"] = Json::array({{{"joints", {1, 2}}}});
+    };
+  };
+  const auto expect_at = [&](float first, float weight, const glm::vec3& place, const std::string& warning) {
+    const Drawn made = drawn(bend(first, weight));
+    expect_near(made.scene.primitives[0].vertices[1].position_m, place);
+    EXPECT_NE(made.warnings.find(warning), std::string::npos) << made.warnings;
+    ASSERT_TRUE(made.scene.rig);
+    Scene again = made.scene;
+    take_pose(*again.rig, posed(*again.rig, again.rig->rest, "file"), again);
+    expect_near(again.primitives[0].vertices[1].position_m, place);
+  };
+  const char* loose = "has vertices without weight, which hang on their first joint";
+  expect_at(1, 0, {0.2f, 0, 7}, loose);
+  expect_at(0, 0, {0.2f, 3, 0}, loose);
+  expect_at(1, 0.5f, {0.2f, 0, 7}, "");
+  expect_at(9, 1, {0.2f, 3, 0}, loose);
+  expect_at(1, NAN, {0.2f, 0, 7}, "WEIGHTS_0 is not finite everywhere");
+}
+
 TEST(GltfLenient, MaterialsTakeTheNearestValue) {
   const auto material = [](const Json& members) {
     return drawn([&](Builder& b) { b.json["materials"][0].update(members); }).scene.materials[0];
@@ -241,9 +275,7 @@ TEST(GltfLenient, PicturesThatAreMissing) {
 
   // The file is damaged behind its header.
   const std::string png =
-      "data:image/"
-      "png;base64,"
-      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQ";
+      "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQ";
   const Drawn made = drawn(bend(png.c_str(), true));
   EXPECT_FALSE(made.scene.materials[1].base_colour_map.present());
   EXPECT_EQ(made.scene.materials[1].normal_map.image, 0);
