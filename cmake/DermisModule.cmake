@@ -5,10 +5,11 @@
 #   to build/house.txt, against which the include check of tests/house holds every #include. LIGHTLY: compiled
 #   with -O1, in two thirds of the time, for rooms that read, check and arrange and compute next to nothing.
 # dermis_test(NAME SOURCES ... DEPENDS modules ... LINKS libraries ... [LABEL unit|gpu|house|docs]
-#             [COST seconds] [LONG] [SHORT filter ...] [ENVIRONMENT variable=value ...]
+#             [COST seconds] [LONG] [COMPUTES] [SHORT filter ...] [ENVIRONMENT variable=value ...]
 #             [PARTS name filter seconds ...])
 #   One GoogleTest executable test_NAME, registered as ONE ctest entry (its cases share a process, so fixtures
 #   load once).
+#   COMPUTES: compiled as the library is, for tests that themselves compute over thousands of texels.
 #   COST: processor seconds, roughly; what takes longest starts first, so that nothing long is left alone at
 #   the end.
 #   ENVIRONMENT: variables of all entries of the test. With GALLIVM_PERF=nopt Mesa's software driver does not
@@ -82,12 +83,11 @@ function(dermis_compile_options target)
   endif()
 endfunction()
 
-# Code around the library: tests, the command line. Nothing in it is worth the time that -O3 takes, nor, with
-# sanitizers, any optimisation; what it calls is compiled as ever. -fPIE for programs and for libraries of
-# their parts alike, so that all share one precompiled header.
+# Code around the library: tests, the command line. It is not optimised; what it calls is compiled as ever.
+# -fPIE for programs and for libraries of their parts alike, so that all share one precompiled header.
 function(dermis_program_options target)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-  target_compile_options(${target} PRIVATE -fPIE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${target} PRIVATE -fPIE $<$<CONFIG:Release>:-O0>)
   if(DERMIS_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
   endif()
@@ -147,12 +147,17 @@ function(dermis_test_entry entry executable labels cost filter)
 endfunction()
 
 function(dermis_test name)
-  cmake_parse_arguments(T "LONG" "LABEL;COST" "SOURCES;DEPENDS;LINKS;ENVIRONMENT;PARTS;SHORT" ${ARGN})
+  cmake_parse_arguments(T "LONG;COMPUTES" "LABEL;COST" "SOURCES;DEPENDS;LINKS;ENVIRONMENT;PARTS;SHORT"
+    ${ARGN})
   add_executable(test_${name} ${T_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   dermis_compile_options(test_${name})
-  dermis_program_options(test_${name})
-  dermis_precompiled(test_${name} test)
+  if(T_COMPUTES)
+    dermis_precompiled(test_${name} library)
+  else()
+    dermis_program_options(test_${name})
+    dermis_precompiled(test_${name} test)
+  endif()
   foreach(dep IN LISTS T_DEPENDS)
     target_link_libraries(test_${name} PRIVATE dermis_${dep})
   endforeach()

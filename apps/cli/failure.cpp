@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/settings_options.h"
 #include "core/known_names.h"
@@ -73,7 +74,13 @@ int report_failure(const CLI::App& app) {
   try {
     throw;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {
+      app.exit(error);  // prints help
+      try {
+        finish_output();
+      } catch (const InputError& cut_off) { return fail(cut_off.what()); }
+      return 0;
+    }
     const std::string unknown = of_unknown_word(app);
     if (!unknown.empty()) return fail(unknown, usage_error);
     app.exit(error);

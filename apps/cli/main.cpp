@@ -9,6 +9,7 @@
 #include "cli/failure.h"
 #include "cli/help.h"
 #include "cli/manual/entries.h"
+#include "cli/output.h"
 #include "cli/profile_command.h"
 #include "cli/version.h"
 
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     app.parse(static_cast<int>(pointers.size()), pointers.data());
     log.finish();
+    dermis::cli::finish_output();
   } catch (...) { return dermis::cli::report_failure(app); }
   return exit_status;
 }

@@ -17,7 +17,7 @@ namespace dermis::cli {
 struct SourceOptions {
   std::string preset, coefficients, layers, burley, csv, colour, import;
   std::string head;                          ///< glTF, whose colour map has the pigments
-  std::string skin_material;                 ///< of the head
+  std::vector<std::string> skin_material;    ///< of the head
   std::string melanin_map, haemoglobin_map;  ///< pictures to write of the head's pigments
   /// Members that were given: melanin makes it a source, the rest refine.
   SpectralSkin skin;

@@ -46,8 +46,7 @@ void check_files(const ReferenceArguments& a) {
   check_scene_output(a, {a.output, a.variance, a.stats});
   if (!a.stats.empty() && a.stats != "-") check_own_name(a.stats, "--stats", {a.output, a.variance});
   if (a.variance.empty()) return;
-  if (std::filesystem::path(a.variance).extension() != ".exr")
-    throw input_error(a.variance, "the variance is written as .exr");
+  if (ending_of(a.variance) != ".exr") throw input_error(a.variance, "the variance is written as .exr");
   check_own_name(a.variance, "--variance", {a.output});
 }
 

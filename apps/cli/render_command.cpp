@@ -74,7 +74,8 @@ void render(const RenderArguments& a, int& exit_status) {
   }
 
   picture.save(a.output);
-  if (a.settings.output.show == OutputSettings().show) hint_at_picture(picture, a.output.ends_with(".png"));
+  if (a.settings.output.show == OutputSettings().show)
+    hint_at_picture(picture, ending_of(a.output) == ".png");
   save_settings(a);
   save_scene(a, scene);
   if (!a.stats.empty()) write_text(a.stats, picture.statistics.json());

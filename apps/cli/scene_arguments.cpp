@@ -405,7 +405,7 @@ Scene open_scene(const SceneArguments& arguments) {
 }
 
 void check_picture_name(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
+  const std::string ending = ending_of(path);
   if (ending != ".png" && ending != ".exr")
     throw InputError(path, "pictures are written as .png or .exr, not as '" + ending + "'");
   check_writable(path);

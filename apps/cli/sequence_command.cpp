@@ -5,10 +5,12 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/sequence/arguments.h"
+#include "cli/sequence/lock.h"
 #include "cli/sequence/pattern.h"
 #include "cli/sequence/video.h"
 #include "cli/sequence/write.h"
@@ -49,8 +51,7 @@ void check_outputs(const SequenceArguments& a) {
 
   if (a.sheet.empty()) return;
   check_writable(a.sheet);
-  if (std::filesystem::path(a.sheet).extension() != ".png")
-    throw input_error(a.sheet, "a contact sheet is written as .png");
+  if (ending_of(a.sheet) != ".png") throw input_error(a.sheet, "a contact sheet is written as .png");
   if (is_video(a.output)) return;
   // One of the frames cannot have its name: the numbers are not known yet.
   const FramePattern pattern(a.output);
@@ -97,6 +98,9 @@ void run(const SequenceArguments& a, int& exit_status) {
   check_outputs(a);
   check_arguments(a);
   catch_interrupts();
+
+  std::optional<PatternLock> lock;
+  if (!is_video(a.output)) lock.emplace(a.output);
 
   const auto start = std::chrono::steady_clock::now();
   SceneSource scenes(a, clip_plays(a));

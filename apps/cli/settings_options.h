@@ -43,6 +43,9 @@ struct AddOption {
     else if constexpr (std::is_same_v<Value, std::uint64_t>)
       return add_count(command, name, value, help,
                        std::isfinite(about.most) ? range_text(about) : "0 to 2^64 - 1");
+    else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+      return with_values(about,
+                         command.add_option(name, value, help)->allow_extra_args(false)->default_str(""));
     else if constexpr (std::is_same_v<Value, bool>)
       return about.on.empty() ? command.add_flag(name, value, help) : add_switch(name, about, value);
     else

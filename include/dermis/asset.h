@@ -30,9 +30,11 @@ namespace dermis {
 struct AssetArrays;  // dermis/asset_arrays.h
 
 struct SceneOptions {
-  double unit_scale = 1;      ///< multiplies every length of the file; glTF says metres
-  std::string skin_material;  ///< this material is skin; empty: extras.dermis, else the name contains "skin",
-                              ///< else the only one
+  double unit_scale = 1;  ///< multiplies every length of the file; glTF says metres
+  /// Names of the materials that are skin, or shell patterns of them ("*Skin*"), each of which must match
+  /// one. Empty: those that say so in extras.dermis, else those with the word "skin" in their name, else the
+  /// only one in use, unless an unused one is called skin.
+  std::vector<std::string> skin_material{};
   /// The pose: that of an animation of the file at a time in seconds, clamped to the clip. Neither: as the
   /// file has it at rest. A time alone: of the first animation; a clip alone: at its begin. Arrays have none.
   std::string clip{};
@@ -78,7 +80,8 @@ class Asset {
   const std::string& name() const;             ///< file name, or "built-in"
   std::vector<std::string> materials() const;  ///< their names
   std::vector<std::string> cameras() const;    ///< those of the file; CameraSettings::name takes one
-  std::vector<std::string> clips() const;      ///< names of the file's animations; "0", "1" ... if unnamed
+  std::vector<std::string> clips() const;  ///< names of the file's animations; "0", "1" ... if unnamed. Their
+                                           ///< numbers, from 0, stand for them where no name does
   /// Time of the last key frame of a clip, seconds. Throws InputError: no such clip, or a faulty one.
   double clip_end_s(const std::string& clip) const;
   /// Names of what poses can move (dermis/pose.h): the file's nodes, and the morph targets of its meshes,

@@ -109,9 +109,9 @@ enum class AssetAlpha : std::uint8_t { opaque, mask, blend };
 /// A metallic-roughness material of glTF 2.0. Colours and factors are linear.
 struct AssetMaterial {
   std::string name;
-  /// Whether it is skin, unless SceneOptions::skin_material names one. none: it is if its name contains
-  /// "skin" and no material says that it is, or if it is the only material. Skin that is blended is drawn as
-  /// a surface, with a warning.
+  /// Whether it is skin, unless SceneOptions::skin_material names one. none: it is if "skin" is a
+  /// word of its name and no material says that it is, or if it is the only material in use and no other is
+  /// called skin. Skin that is blended is drawn as a surface, with a warning.
   std::optional<bool> skin{};
   std::array<float, 4> base_colour{1, 1, 1, 1};  ///< 0 to 1, with alpha
   AssetMap base_colour_map{};                    ///< sRGB, alpha linear

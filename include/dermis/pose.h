@@ -22,7 +22,7 @@ namespace dermis {
 
 /// A clip at a time: before its first key and after its last, it stands still.
 struct ClipTime {
-  std::string clip{};  ///< as Asset::clips() names it; empty: the first
+  std::string clip{};  ///< as Asset::clips() names it, or its number there; empty: the first
   double seconds = 0;  ///< any finite number
 };
 

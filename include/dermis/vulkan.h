@@ -177,10 +177,11 @@ struct MaterialImage {
 
 /// A shadow map of the host for a light of the scene, directional or a spot, in place of dermis's own. The
 /// heads must be in it (record_depth()): their own shadows and the thickness of their ears come from its
-/// depth, and without them light passes through the body. Reads are offset along the normal, by texels of the
-/// map: no depth bias of the host's is needed, and on a head texels should not be much wider than 0.5 mm.
-/// What lies outside the map is lit. Contents may change in every frame; view, extent and matrix by update(),
-/// at the cost of a pose.
+/// depth, and without them light passes through the body. Depth does not say which side of a surface the
+/// light meets: where the inside of an open mesh is lit, light may come through at its edges. Reads are
+/// offset along the normal, by texels of the map: no depth bias of the host's is needed, and on a head texels
+/// should not be much wider than 0.5 mm. What lies outside the map is lit. Contents may change in every
+/// frame; view, extent and matrix by update(), at the cost of a pose.
 struct LightShadow {
   LightId light{};
   /// D32_SFLOAT or D16_UNORM, 2D, one sample, SAMPLED; in SHADER_READ_ONLY_OPTIMAL while commands of

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/error.h"
+#include "core/file.h"
 #include "dermis/renderer.h"
 #include "image/codec.h"
 
 namespace dermis {
 
 void Picture::save(const std::filesystem::path& path) const {
-  const std::string ending = path.extension().string();
+  const std::string ending = ending_of(path);
   if (ending == ".png")
     return image::save_png(path, {.width = width, .height = height, .rgba = display_rgba});
   if (ending == ".exr")

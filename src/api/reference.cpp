@@ -12,6 +12,7 @@
 #include "api/memory.h"
 #include "api/scene_state.h"
 #include "core/error.h"
+#include "core/file.h"
 #include "core/hooks.h"
 #include "core/known_names.h"
 #include "core/log.h"
@@ -318,7 +319,7 @@ ReferencePicture render_reference(const Scene& scene, const RenderSettings& s, c
 }
 
 void ReferencePicture::save_variance(const std::filesystem::path& path) const {
-  if (path.extension() != ".exr") throw input_error(path.string(), "the variance is written as .exr");
+  if (ending_of(path) != ".exr") throw input_error(path.string(), "the variance is written as .exr");
   image::save_exr(path,
                   {.width = picture.width, .height = picture.height, .channels = 4, .values = variance_rgba});
 }

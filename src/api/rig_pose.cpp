@@ -92,10 +92,9 @@ void set_joint(const scene::Scene& asset, const JointTransform& wanted, scene::P
 
 const scene::Clip& clip_called(const scene::Scene& asset, const std::string& name) {
   const std::vector<std::string>& names = asset.clips;
-  const auto found = name.empty() ? names.begin() : std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw input_error(asset.name, "has no clip '{}'; {}", name, listed_names(name, names));
-  const scene::RigClip& clip = rig_of(asset).clips.at(static_cast<std::size_t>(found - names.begin()));
+  const std::optional<std::size_t> number = scene::clip_number(names, name);
+  if (!number) throw input_error(asset.name, "has no clip '{}'; {}", name, listed_names(name, names));
+  const scene::RigClip& clip = rig_of(asset).clips.at(*number);
   if (!clip.error.empty()) throw input_error("", "{}", clip.error);
   return clip.clip;
 }

@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -29,6 +31,10 @@ bool is_stream(const fs::path& path) {
   const fs::file_status status = fs::status(path, ignored);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
+
+constexpr int most_links = 40;  // as many as Linux follows
+constexpr std::size_t longest_stem =
+    224;  // leaves room for what unfinished_path() adds; names have 255 bytes
 
 /// Throws InputError on failure; a partly written file stays.
 void write_bytes(const fs::path& to, std::span<const std::byte> bytes, const fs::path& named) {
@@ -77,22 +83,43 @@ void check_writable(const fs::path& path) {
       throw input_error(path.string(), "cannot be written: {}", std::strerror(errno));
     return;
   }
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path to = followed_links(path), folder = to.has_parent_path() ? to.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error))
     throw input_error(path.string(), "folder '{}' does not exist", folder.string());
   if (::access(folder.c_str(), W_OK) != 0)
     throw input_error(path.string(), "folder '{}' cannot be written", folder.string());
 }
 
+fs::path followed_links(const fs::path& path) {
+  fs::path at = path;
+  std::error_code error;
+  for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(at, error)); ++i)
+    at = at.parent_path() / fs::read_symlink(at);  // an absolute one replaces the folder
+  if (fs::is_symlink(fs::symlink_status(at, error)))
+    throw input_error(path.string(), "cannot be written: {}", std::strerror(ELOOP));
+  return at;
+}
+
+std::string unfinished_stem(const fs::path& path) { return path.filename().string().substr(0, longest_stem); }
+
+fs::path unfinished_path(const fs::path& path, unsigned number) {
+  return path.parent_path() / fmt::format("{}.{}.{}.part", unfinished_stem(path), ::getpid(), number);
+}
+
+std::string ending_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   check_writable(path);
   if (is_stream(path)) return write_bytes(path, bytes, path);
 
-  // Process id and number separate two runs, or two threads, that write the same name.
   static std::atomic<unsigned> number{0};
   std::error_code ignored;
-  fs::path part = path;
-  part += fmt::format(".{}.{}.part", ::getpid(), number++);
+  const fs::path to = followed_links(path), part = unfinished_path(to, number++);
 
   try {
     write_bytes(part, bytes, path);
@@ -102,7 +129,7 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   }
 
   std::error_code error;
-  fs::rename(part, path, error);
+  fs::rename(part, to, error);
   if (error) {
     fs::remove(part, ignored);
     throw input_error(path.string(), "cannot be written: {}", error.message());

@@ -89,7 +89,7 @@ Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
 std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
                        const glm::dvec3& direction, int side) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
-  if (scene::skin_mesh_number(primitive) != mesh.node || !rays::is_skin(scene, primitive)) return itself;
+  if (scene::skin_mesh_key(primitive) != mesh.key || !rays::is_skin(scene, primitive)) return itself;
 
   // Hits on the back of the skin come from inside.
   const std::uint32_t* index = &primitive.indices[3 * std::size_t{hit.triangle}];

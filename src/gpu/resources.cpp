@@ -83,6 +83,10 @@ VkImageView make_view(Device& device, VkImage image, const TextureDesc& desc, Vk
   info.viewType = type;
   info.format = desc.format;
   info.subresourceRange = range;
+  // What is rendered into has its channels as they are.
+  if (desc.grey_alpha && type == VK_IMAGE_VIEW_TYPE_2D_ARRAY)
+    info.components = {VK_COMPONENT_SWIZZLE_R, VK_COMPONENT_SWIZZLE_R, VK_COMPONENT_SWIZZLE_R,
+                       VK_COMPONENT_SWIZZLE_G};
   VkImageView view = VK_NULL_HANDLE;
   check(device.vk().vkCreateImageView(device.handle(), &info, nullptr, &view), "vkCreateImageView");
   return view;

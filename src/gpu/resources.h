@@ -78,6 +78,7 @@ struct TextureDesc {
   std::uint32_t samples = 1;    ///< per texel, 1 or 4
   VkImageUsageFlags usage = 0;  ///< transfer bits are added, unless there are 4 samples
   bool array = false;           ///< view type 2D_ARRAY even with one layer
+  bool grey_alpha = false;      ///< shaders read the two channels as grey and alpha
   bool operator==(const TextureDesc&) const = default;
 };
 

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/log.h"
+#include "image/colour.h"
 #include "image/formats.h"
 
 namespace dermis::image {
@@ -57,10 +58,10 @@ Collected::Collected(int width, int height, std::uint64_t most_pixels)
 }
 
 void Collected::row(int y, std::span<float> rgb) {
-  for (std::size_t i = 0; i < rgb.size(); i += 3) {
-    if (std::isfinite(rgb[i]) && std::isfinite(rgb[i + 1]) && std::isfinite(rgb[i + 2])) continue;
-    rgb[i] = rgb[i + 1] = rgb[i + 2] = 0;
-    ++cleared_;
+  for (float& value : rgb) {
+    if (std::isfinite(value)) continue;
+    value = value > 0 ? max_half : 0.0f;  // NaN compares false
+    ++not_finite_;
   }
   if (!average_) return keep(y, rgb);
   // If the lowest row comes first, sums are kept until the topmost row has come.
@@ -84,8 +85,9 @@ ImageF Collected::take(const std::string& where) {
     note("{}: {} x {} pixels, read as {} x {}", where, source_width_, source_height_, picture_.width,
          picture_.height);
   }
-  if (cleared_ != 0)
-    warn("{}: {} pixels are infinite or not numbers; they are read as black", where, cleared_);
+  if (not_finite_ != 0)
+    warn("{}: {} values are infinite or not numbers; infinite ones are read as {}, others as 0", where,
+         not_finite_, max_half);
   return std::move(picture_);
 }
 

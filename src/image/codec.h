@@ -39,6 +39,7 @@ PictureHeader read_header8(std::span<const std::byte> bytes, const std::string& 
 struct Shrink {
   int halvings = 0;
   bool srgb = false;
+  bool deep = false;  ///< fills Image8::rgba16: of heights steps of 8 bits would show
 };
 
 /// Returns the most bytes that decode_image8 takes besides the returned picture: sums of a downsampled
@@ -53,9 +54,9 @@ Image8 decode_image8(std::span<const std::byte> bytes, const std::string& where,
                      const DecodeLimits& limits = {}, const Shrink& shrink = {});
 
 /// Decodes Radiance .hdr or OpenEXR, recognised by the first bytes, to 3-channel linear floats (EXR: R, G, B
-/// or Y of the first part; data window cropped to the display window). NaN and infinite pixels become 0, with
-/// one warning. A picture of more than `most_pixels` is downsampled by 2 while it is read, by area averages,
-/// until it has no more.
+/// or Y of the first part; data window cropped to the display window). +infinity becomes 65504, the largest
+/// half, NaN and -infinity 0, with one warning. A picture of more than `most_pixels` is downsampled by 2
+/// while it is read, by area averages, until it has no more.
 ImageF decode_image_f(std::span<const std::byte> bytes, const std::string& where,
                       const DecodeLimits& limits = {}, std::uint64_t most_pixels = ~std::uint64_t{0});
 
@@ -70,13 +71,13 @@ Image8 load_image8(const std::filesystem::path& path, const DecodeLimits& limits
 ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits = {},
                     std::uint64_t most_pixels = ~std::uint64_t{0});
 
-/// Returns a PNG in memory (with alpha if keep_alpha, else RGB), without date or other metadata.
+/// Returns a PNG in memory (with alpha if keep_alpha, else RGB) that says that it is sRGB, without a date.
 std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha = false);
-/// Writes RGBA8 as PNG (with alpha if keep_alpha, else RGB), atomically. No date or other metadata: equal
-/// pixels give equal bytes.
+/// Writes RGBA8 as PNG (with alpha if keep_alpha, else RGB), atomically; it says that it is sRGB. No
+/// date: equal pixels give equal bytes.
 void save_png(const std::filesystem::path& path, const Image8& picture, bool keep_alpha = false);
-/// Writes 3 or 4 float channels as OpenEXR (ZIP; half if half_float, else 32-bit float), atomically and
-/// without a date.
+/// Writes 3 or 4 float channels as OpenEXR (ZIP; half if half_float, else 32-bit float) with the primaries of
+/// sRGB, atomically and without a date.
 void save_exr(const std::filesystem::path& path, const ImageF& picture, bool half_float = false);
 
 }  // namespace dermis::image

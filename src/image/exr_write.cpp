@@ -4,6 +4,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,7 @@ void write(MemoryOutput& stream, const ImageF& picture, Imf::PixelType type, con
   constexpr const char* names[] = {"R", "G", "B", "A"};
   Imf::Header header(picture.width, picture.height, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y,
                      Imf::ZIP_COMPRESSION);
+  Imf::addChromaticities(header, Imf::Chromaticities());  // those of Rec. 709, which are sRGB's
   Imf::FrameBuffer source;
   const std::size_t channels = static_cast<std::size_t>(picture.channels);
   const std::size_t pixel_bytes = channels * value_bytes;

@@ -41,7 +41,8 @@ ImageF decode_exr(Bytes bytes, const std::string& where, const DecodeLimits& lim
                   std::uint64_t most_pixels);
 
 /// Collects a linear picture of 3 channels row by row, from the top or from the bottom, and downsamples it by
-/// 2 until it has no more than `most_pixels`. Infinite and NaN pixels become black and are counted.
+/// 2 until it has no more than `most_pixels`. Of values that are not finite +infinity becomes max_half,
+/// because it is the brightest light (a sun, clipped), the others 0; they are counted.
 class Collected {
  public:
   Collected(int width, int height, std::uint64_t most_pixels);
@@ -58,7 +59,7 @@ class Collected {
   std::optional<AreaAverage> average_;
   bool from_top_ = true;
   int rows_ = 0;  ///< rows received
-  std::size_t cleared_ = 0;
+  std::size_t not_finite_ = 0;
 };
 
 std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where);

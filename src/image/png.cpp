@@ -156,6 +156,8 @@ std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const 
   header.color_type = keep_alpha ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
   int result = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
   if (result == SPNG_OK) result = spng_set_ihdr(context.get(), &header);
+  constexpr std::uint8_t perceptual = 0;  // the intent with which a display with other primaries shows it
+  if (result == SPNG_OK) result = spng_set_srgb(context.get(), perceptual);
   if (result == SPNG_OK)
     result =
         spng_encode_image(context.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);

@@ -22,6 +22,10 @@ std::uint8_t round8(float value) {
   return static_cast<std::uint8_t>(double{steps} + 0.5);  // as std::lround(), without a call
 }
 
+std::uint16_t round16(float value) {
+  return static_cast<std::uint16_t>(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f);
+}
+
 std::uint8_t nearest8(std::uint16_t value) {
   return static_cast<std::uint8_t>((value * 255u + 32767u) / 65535u);
 }
@@ -129,6 +133,9 @@ Shrinking::Shrinking(int width, int height, const Shrink& shrink)
                [this](int y, std::span<const float> values) {
                  for (int x = 0; x < picture_.width; ++x)
                    round_texel(&values[static_cast<std::size_t>(x) * 4], shrink_.srgb, picture_.at(x, y));
+                 if (!picture_.rgba16.empty())
+                   std::ranges::transform(
+                       values, &picture_.rgba16[values.size() * static_cast<std::size_t>(y)], round16);
                }) {
   picture_.rgba.resize(static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height) *
                        4);
@@ -146,9 +153,13 @@ void Shrinking::row8(int y, const std::uint8_t* rgba, int count, int first, int 
 }
 
 void Shrinking::row16(int y, const std::uint16_t* rgba, int count, int first, int step) {
+  if (shrink_.deep) picture_.rgba16.resize(picture_.rgba.size());
   if (shrink_.halvings == 0) {
-    for (int i = 0; i < count; ++i)
-      for (int c = 0; c < 4; ++c) picture_.at(first + i * step, y)[c] = nearest8(rgba[4 * i + c]);
+    for (int i = 0; i < count; ++i) {
+      std::uint8_t* to = picture_.at(first + i * step, y);
+      std::transform(rgba + 4 * i, rgba + 4 * i + 4, to, nearest8);
+      if (shrink_.deep) std::copy_n(rgba + 4 * i, 4, picture_.rgba16.begin() + (to - picture_.rgba.data()));
+    }
     return;
   }
   values_.resize(static_cast<std::size_t>(count) * 4);

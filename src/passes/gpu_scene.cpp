@@ -65,8 +65,7 @@ std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
     maps[MAP_ROUGHNESS] = m.skin_settings.roughness;
     maps[MAP_DETAIL] = m.skin_settings.detail;
 
-    // If the skin names no roughness map of its own, glTF's metallic-roughness map is used: G times the
-    // factor.
+    // Skin without a roughness map of its own has glTF's: G of metallic-roughness, times the factor.
     if (!maps[MAP_ROUGHNESS].present() && m.metallic_roughness_map.present()) {
       maps[MAP_ROUGHNESS] = m.metallic_roughness_map;
       maps[MAP_ROUGHNESS].channel = 1;
@@ -87,6 +86,7 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.specular = m.specular;
   // Alpha of 8 bits may become a half float: a value equal to the cutoff must be kept.
   c.alpha_cutoff = m.alpha_cutoff - 1.0f / 4096;
+  c.transmission = m.transmission;
   c.specular_colour = m.specular_colour;
 
   c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |

@@ -55,6 +55,7 @@ void add_material(SceneHash& h, const scene::Material& m) {
   h.add(m.alpha_cutoff);
   h.add(m.double_sided);
   h.add(m.unlit);
+  h.add(m.transmission);
   scene::for_each_map(m, [&](const scene::MapRef& map, bool) { h.add(map); });
   h.add(m.skin_settings.mix.value_or(-1.0f));
   h.add(m.skin_settings.displacement_mm);

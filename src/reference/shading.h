@@ -62,7 +62,8 @@ class Shading {
   /// Other surfaces: glTF metallic-roughness. `normal_side`: +1 seen from the front, -1 from behind.
   struct Surface {
     glm::dvec3 radiance{0};
-    double alpha = 1;  ///< coverage; 0 where the alpha test cuts it away
+    double alpha = 1;   ///< coverage; 0 where the alpha test cuts it away
+    double passes = 0;  ///< part of the light from behind that passes what is covered
   };
   Surface surface(const rays::SurfacePoint& s, double normal_side, const glm::dvec3& to_eye,
                   Random& random) const;

@@ -124,7 +124,8 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
 
   rays::SurfacePoint seen = s;
   seen.normal *= normal_side;
-  const Look look = look_at(m, s, albedo);
+  Look look = look_at(m, s, albedo);
+  look.albedo *= 1 - double{source.transmission};
   const glm::dvec3 n = mapped_normal(m, s, seen.normal);
   for (const scene::Light& light : setup_.lights) {
     const Arriving a = arriving_light(light, s.position_m, random);
@@ -132,13 +133,14 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
     out.radiance += a.irradiance * brdf_times_cosine(look, setup_.specular, n, to_eye, a.to_light);
   }
 
+  const glm::dvec3 mirrored =
+      setup_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
+  out.passes = source.transmission * glm::dot(albedo, glm::dvec3(1.0 / 3)) * (1 - largest(mirrored));
   if (setup_.environment) {
     const auto arriving = [&](const glm::dvec3& d) { return arriving_from(seen, d, random, 0); };
     out.radiance += occlusion(m, s) *
                     mirrored_picture(look, setup_.specular, *setup_.environment, n, to_eye, random, arriving);
   } else {
-    const glm::dvec3 mirrored =
-        setup_.specular ? mirrored_uniform(look, std::max(glm::dot(n, to_eye), 0.0)) : glm::dvec3(0);
     out.radiance += setup_.ambient * occlusion(m, s) * (look.albedo * (1 - largest(mirrored)) + mirrored);
   }
 

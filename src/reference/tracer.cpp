@@ -99,7 +99,7 @@ Tracer::Sample Tracer::sample(int x, int y, Random& random, std::vector<rays::Hi
       }
       const Shading::Surface surface = shading_.surface(s, side, to_eye, random);
       out.radiance += through * surface.alpha * surface.radiance;
-      through *= 1 - surface.alpha;
+      through *= 1 - surface.alpha * (1 - surface.passes);
     }
 
     // Continues behind this surface, at the next larger float.

@@ -38,16 +38,16 @@ struct Seen {
 };
 
 /// Chart of the unwrap for each triangle of each primitive, distinct between heads. skin_meshes() joins the
-/// primitives of a node in order.
+/// primitives of a key in order.
 std::vector<std::vector<std::uint32_t>> charts_of(const scene::Scene& scene) {
   const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(scene);
-  std::map<int, std::pair<std::size_t, std::size_t>> next;  // by node: mesh, triangle
-  for (std::size_t i = 0; i < meshes.size(); ++i) next[meshes[i].node] = {i, 0};
+  std::map<scene::SkinMeshKey, std::pair<std::size_t, std::size_t>> next;  // mesh, triangle
+  for (std::size_t i = 0; i < meshes.size(); ++i) next[meshes[i].key] = {i, 0};
   std::vector<std::vector<std::uint32_t>> charts(scene.primitives.size());
   for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
     const scene::Primitive& p = scene.primitives[i];
     if (!rays::is_skin(scene, p) || p.indices.empty()) continue;
-    auto& [mesh, triangle] = next.at(scene::skin_mesh_number(p));
+    auto& [mesh, triangle] = next.at(scene::skin_mesh_key(p));
     for (std::size_t t = 0; t < p.indices.size() / 3; ++t, ++triangle)
       charts[i].push_back(static_cast<std::uint32_t>(mesh << 16) + meshes[mesh].triangle_chart[triangle]);
   }

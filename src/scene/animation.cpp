@@ -2,11 +2,25 @@
 #include "scene/animation.h"
 
 #include <algorithm>
+#include <charconv>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/assert.h"
 
 namespace dermis::scene {
+
+std::optional<std::size_t> clip_number(std::span<const std::string> names, const std::string& name) {
+  const auto named = name.empty() ? names.begin() : std::find(names.begin(), names.end(), name);
+  if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
+
+  std::size_t number = 0;
+  const char* const end = name.data() + name.size();
+  const auto read = std::from_chars(name.data(), end, number);
+  if (name.empty() || read.ec != std::errc() || read.ptr != end || number >= names.size())
+    return std::nullopt;
+  return number;
+}
+
 namespace {
 
 // Between two keys: the index of the first, and the share of the way to the second.

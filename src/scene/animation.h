@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,10 @@ struct Clip {
   std::vector<Channel> channels;
   double end_s() const;  ///< time of its last key
 };
+
+/// Returns the number of the clip that is meant, the first without a name: of equal names the first, else the
+/// number itself. none: there is no such clip.
+std::optional<std::size_t> clip_number(std::span<const std::string> names, const std::string& name);
 
 /// Of one node.
 struct NodePose {

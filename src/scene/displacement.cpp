@@ -87,7 +87,7 @@ Field smooth_heights(const image::Image8& heights, const DisplacementSettings& s
     std::vector<float> line;
     line.reserve(static_cast<std::size_t>(end - first));
     for (int i = first; i < end; ++i)
-      line.push_back(heights.at(wrapped(i, heights.width, s.wrap_u), static_cast<int>(y))[s.channel]);
+      line.push_back(heights.value(wrapped(i, heights.width, s.wrap_u), static_cast<int>(y), s.channel));
 
     // Tap by tap, in which the compiler sees vectors. A map that keeps its width has the same taps
     // everywhere.
@@ -162,11 +162,11 @@ std::uint8_t encoded(double component) {
 
 }  // namespace
 
-double height_smoothing_texels(double displacement_mm, double mm_per_texel) {
+double height_smoothing_texels(double step_mm, double mm_per_texel) {
   constexpr double allowed_slope = 0.0087;  // tan 0.5 degrees
   // Rounding to steps of q mm puts noise of q / sqrt(12) on every height. Its slope after a Gaussian is q /
   // (sqrt(12) spacing sqrt(8 pi) sigma^2); solved for sigma.
-  const double noise_mm = std::abs(displacement_mm) / 255 / std::sqrt(12.0);
+  const double noise_mm = std::abs(step_mm) / std::sqrt(12.0);
   const double sigma2 = noise_mm / (mm_per_texel * std::sqrt(8 * glm::pi<double>()) * allowed_slope);
   return std::clamp(std::sqrt(sigma2), 0.7, 2.0);
 }
@@ -185,9 +185,9 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
   // Downsampling needs at least half a target texel, or heights alias.
   const glm::dvec2 shrink = glm::dvec2(source) / glm::dvec2(target.width, target.height);
   const glm::dvec2 texel_mm = settings.mm_per_uv / glm::dvec2(source);
-  const glm::dvec2 sigma(
-      std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.x), 0.5 * shrink.x),
-      std::max(height_smoothing_texels(settings.displacement_mm, texel_mm.y), 0.5 * shrink.y));
+  const double step_mm = settings.displacement_mm / (heights.rgba16.empty() ? 255 : 65535);
+  const glm::dvec2 sigma(std::max(height_smoothing_texels(step_mm, texel_mm.x), 0.5 * shrink.x),
+                         std::max(height_smoothing_texels(step_mm, texel_mm.y), 0.5 * shrink.y));
   Steps steps("deriving fine normals", 3);
   Field h = smooth_heights(heights, settings, target, sigma);
   steps.done();

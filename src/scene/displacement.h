@@ -28,10 +28,10 @@ struct DisplacementSettings {
 inline constexpr int max_normal_map_side = 4096;
 
 /// Returns the standard deviation [texels] of the Gaussian that smooths heights before the derivative, 0.7 to
-/// 2. Heights of 8 bits have steps, whose slopes would show as glittering terraces; the Gaussian reduces
-/// their noise to half a degree. Below 0.7 derivatives of undersampled heights alias; above 2 pores, a few
-/// texels wide, would vanish.
-double height_smoothing_texels(double displacement_mm, double mm_per_texel);
+/// 2. Heights have steps, those of 8 bits large ones, whose slopes would show as glittering terraces; the
+/// Gaussian reduces their noise to half a degree. Below 0.7 derivatives of undersampled heights alias; above
+/// 2 pores, a few texels wide, would vanish.
+double height_smoothing_texels(double step_mm, double mm_per_texel);
 
 /// Returns tangent-space normals, +Y up (towards -v), RGBA8 with alpha 255, of the heights on top of `base`
 /// (null: flat). Size: per axis the larger of both maps, at most 4096. Both maps use the same coordinates and

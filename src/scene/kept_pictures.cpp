@@ -15,7 +15,7 @@ namespace {
 struct ReadKey {
   PictureKey picture;
   int halvings = 0;
-  bool srgb = false;
+  bool srgb = false, deep = false;
   auto operator<=>(const ReadKey&) const = default;
 };
 
@@ -59,7 +59,7 @@ PictureKey key_of(std::span<const std::byte> encoded) {
 
 Pixels kept_picture(const PictureKey& picture, const image::Shrink& shrink,
                     const std::function<image::Image8()>& decode) {
-  const ReadKey key{picture, shrink.halvings, shrink.halvings > 0 && shrink.srgb};
+  const ReadKey key{picture, shrink.halvings, shrink.halvings > 0 && shrink.srgb, shrink.deep};
   if (Pixels pixels = kept().find(key)) return pixels;
   auto pixels = std::make_shared<const image::Image8>(decode());
   kept().add(key, pixels);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dermis/scene.h"
 #include "scene/scene.h"
@@ -14,7 +15,7 @@ namespace dermis::scene {
 
 struct LoadOptions {
   double unit_scale = SceneOptions().unit_scale;  ///< as SceneOptions, which are checked where they are given
-  std::string skin_material;                      ///< as SceneOptions
+  std::vector<std::string> skin_material;         ///< as SceneOptions
   std::string clip;                               ///< as SceneOptions
   std::optional<double> time_s;                   ///< as SceneOptions
   std::size_t max_triangles = 20'000'000;

@@ -15,17 +15,28 @@ struct MaterialSource {
   Material material;
   std::optional<bool> says_skin;  ///< whether it says itself that it is skin
   bool has_ior = false;
+  /// Factor on the alpha of metallic_roughness_map, which says how smooth the material is; none: that map is
+  /// as Material says.
+  std::optional<float> glossiness{};
 };
 
 /// Returns the material of a primitive that names none: glTF's default.
 MaterialSource default_material();
 
-/// Decides which materials are skin: `skin_material` if not empty, else those that say so, else those whose
-/// name contains "skin", else the only one; gives skin its default index of refraction. Warns if there is
-/// none. Blended skin is drawn as a surface, with a warning that names it. `file` is for messages. Throws
-/// InputError if no material is called skin_material.
-void choose_skin(const std::string& file, const std::string& skin_material,
-                 std::vector<MaterialSource>& materials);
+/// What a source has and nothing shows.
+struct UnusedMaterials {
+  std::size_t count = 0;
+  std::optional<std::string> skin{};  ///< name of the first that says, or is called, that it is skin
+  void add(const MaterialSource& material);
+};
+
+/// Decides which of the materials in use are skin: those that match one of `patterns` (SceneOptions), else
+/// those that say so, else those whose name has "skin" as a word, else the only one, unless an unused one
+/// says or is called so; gives skin its default index of refraction. Warns if there is none, and if the only
+/// one in use is not the only one. Blended skin is drawn as a surface, with a warning that names it. `file`
+/// is for messages. Throws InputError if a pattern matches nothing.
+void choose_skin(const std::string& file, const std::vector<std::string>& patterns,
+                 const UnusedMaterials& unused, std::vector<MaterialSource>& materials);
 
 /// Calls visit(map, colour) for every map of a material, present or not; `colour`: the map holds colours in
 /// sRGB. The only list of them.

@@ -9,6 +9,7 @@
 #include "core/one_line.h"
 #include "core/warnings.h"
 #include "scene/material_source.h"
+#include "scene/topology.h"
 
 namespace dermis::scene {
 
@@ -31,11 +32,21 @@ Material without_such_maps(Material material, const std::array<bool, 2>& has_uv)
   return material;
 }
 
-void warn_of_missing_uv(const std::string& file, const Primitive& primitive, bool skin, bool lost_maps) {
-  const bool unlit_map = skin && !primitive.has_uv;
-  if (!unlit_map && !lost_maps) return;
+// Exporters write coordinates where there are none: all at one point, or on a line.
+bool has_area_on_map(const Primitive& primitive) {
+  const auto uv = [&](std::size_t i) { return primitive.vertices[primitive.indices[i]].uv0; };
+  for (std::size_t i = 0; i < primitive.indices.size(); i += 3)
+    if (uv_area2(uv(i), uv(i + 1), uv(i + 2)) != 0) return true;
+  return false;
+}
 
-  const char* why = !unlit_map ? "some maps are left out, for want of their texture coordinates"
+void warn_of_missing_uv(const std::string& file, const Primitive& primitive, bool skin, bool lost_maps) {
+  const bool no_area = skin && primitive.has_uv && !primitive.indices.empty() && !has_area_on_map(primitive);
+  const bool unlit_map = skin && !primitive.has_uv;
+  if (!unlit_map && !lost_maps && !no_area) return;
+
+  const char* why = no_area      ? "texture coordinates without area, so skin is lit without scattering"
+                    : !unlit_map ? "some maps are left out, for want of their texture coordinates"
                     : !lost_maps
                         ? "no texture coordinates, so skin is lit without scattering"
                         : "no texture coordinates, so skin is lit without scattering, its maps left out";

@@ -88,6 +88,8 @@ struct Material {
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;
+  float transmission =
+      0;  ///< 0..1, part of what is not reflected that passes, in place of albedo; with blend
   SkinMaterial skin_settings;  ///< only if skin
 };
 
@@ -103,10 +105,12 @@ struct Placement {
 struct Primitive {
   std::string name;  ///< node or mesh name, for messages; of the first node if it is shared
   int material = 0;  ///< index into Scene::materials
-  int node = -1;     ///< node it came from; skin of one node shares one unwrap (one head)
+  int node = -1;     ///< node it came from; skin of one node shares one unwrap, see skin_mesh_key()
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   bool has_uv = false;  ///< the file has TEXCOORD_0
+  /// Skin whose charts lie where those of another material of its node lie: see part_overlapping_skin().
+  bool own_light_map = false;
   /// Empty: one copy, whose vertices are in the world. Else vertices are in the mesh's own coordinates.
   /// Always empty for skin, whose metric is in mm. scene/placement.h reads both.
   std::vector<Placement> placements;

@@ -44,15 +44,21 @@ std::uint64_t map_bytes(int width, int height, bool colour) {
 int MapUse::width() const { return image::halved(full_width, halvings); }
 int MapUse::height() const { return image::halved(full_height, halvings); }
 
+std::uint64_t MapUse::bytes() const {
+  const auto pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height());
+  return map_bytes(width(), height(), colour) + (deep ? 8 * pixels : 0);
+}
+
 std::vector<MapUse> map_uses(const Scene& scene) {
-  std::map<std::pair<int, bool>, bool> found;
+  std::map<std::pair<int, bool>, bool> deep;
   for (const Material& m : scene.materials)
     for_each_map(m, [&](const MapRef& map, bool colour) {
-      if (map.present()) found[{map.image, colour}] = true;
+      if (map.present()) deep[{map.image, colour}] |= &map == &m.skin_settings.displacement;
     });
 
   std::vector<MapUse> uses;
-  for (const auto& [key, used] : found) uses.push_back({.source = key.first, .colour = key.second});
+  for (const auto& [key, is_deep] : deep)
+    uses.push_back({.source = key.first, .colour = key.second, .deep = is_deep});
   return uses;
 }
 
@@ -90,14 +96,17 @@ void fit_to_budget(const std::string& file, std::uint64_t budget_bytes, std::vec
 }
 
 std::vector<const MapUse*> number_images(std::vector<MapUse>& uses) {
-  std::vector<const MapUse*> made;
+  std::vector<MapUse*> made;
   for (MapUse& use : uses) {
     const bool same =
         !made.empty() && made.back()->source == use.source && made.back()->halvings == 0 && use.halvings == 0;
-    if (!same) made.push_back(&use);
+    if (same)
+      made.back()->deep |= use.deep;
+    else
+      made.push_back(&use);
     use.image = static_cast<int>(made.size()) - 1;
   }
-  return made;
+  return {made.begin(), made.end()};
 }
 
 void point_maps_at_images(const std::vector<MapUse>& uses, Scene& scene) {

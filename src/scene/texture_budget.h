@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/codec.h"
 #include "scene/scene.h"
 
 namespace dermis::scene {
@@ -20,6 +21,7 @@ std::uint64_t map_bytes(int width, int height, bool colour);
 struct MapUse {
   int source = 0;  ///< number of the picture in its source
   bool colour = false;
+  bool deep = false;   ///< heights: see image::Shrink
   std::string name{};  ///< of the picture, for messages
   int full_width = 0, full_height = 0;
   int halvings = 0;
@@ -28,7 +30,8 @@ struct MapUse {
   std::pair<int, bool> key() const { return {source, colour}; }
   int width() const;  ///< after halvings
   int height() const;
-  std::uint64_t bytes() const { return map_bytes(width(), height(), colour); }
+  std::uint64_t bytes() const;
+  image::Shrink shrink() const { return {.halvings = halvings, .srgb = colour, .deep = deep}; }
 };
 
 /// Returns each pair of a picture and its use by a material once, in the order of the source; without names
@@ -43,9 +46,9 @@ void point_maps_at_first(const std::map<int, int>& first, Scene& scene);
 /// `file` is for messages. Throws InputError if they cannot fit.
 void fit_to_budget(const std::string& file, std::uint64_t budget_bytes, std::vector<MapUse>& uses);
 
-/// Numbers the images: a picture of full size serves both as colour and as data; a picture that is halved is
-/// kept for each, because their averages differ. Returns the use that makes each image; the pointers are into
-/// `uses`.
+/// Numbers the images: a picture of full size serves all uses; a picture that is halved is
+/// kept for colours and for data, because their averages differ. Returns the use that makes each image; the
+/// pointers are into `uses`.
 std::vector<const MapUse*> number_images(std::vector<MapUse>& uses);
 
 /// Points the maps of all materials at Scene::images; those of a use without an image are left out.

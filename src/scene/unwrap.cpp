@@ -98,16 +98,16 @@ void assign_charts(SkinMesh& mesh, const std::vector<bool>& on_map) {
 
 std::vector<SkinMesh> skin_meshes(const Scene& scene) {
   std::vector<SkinMesh> meshes;
-  std::map<int, std::size_t> mesh_of_node;
+  std::map<SkinMeshKey, std::size_t> mesh_of_key;
   for (const Primitive& primitive : scene.primitives) {
     if (!scene.materials.at(static_cast<std::size_t>(primitive.material)).skin || primitive.indices.empty())
       continue;
 
-    const auto [entry, is_new] = mesh_of_node.try_emplace(skin_mesh_number(primitive), meshes.size());
+    const auto [entry, is_new] = mesh_of_key.try_emplace(skin_mesh_key(primitive), meshes.size());
     if (is_new) {
       meshes.emplace_back();
       meshes.back().name = primitive.name;
-      meshes.back().node = skin_mesh_number(primitive);
+      meshes.back().key = entry->first;
     }
     append_primitive(meshes[entry->second], primitive,
                      static_cast<std::uint32_t>(&primitive - scene.primitives.data()));

@@ -4,6 +4,7 @@
 // (stretch); here the full metric, since u and v are not orthogonal on real heads.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
@@ -30,10 +31,24 @@ struct PrimitiveVertex {
   std::uint32_t primitive = 0, vertex = 0;
 };
 
+/// Says which skin shares a mesh, and with it a light map. Skin without texture coordinates has no place on a
+/// map, so all of a material is one mesh, from however many nodes.
+struct SkinMeshKey {
+  int node = -1;      ///< -1: without texture coordinates
+  int material = -1;  ///< -1: all of the node that share its map
+  auto operator<=>(const SkinMeshKey&) const = default;
+};
+
+/// Returns the key of the skin mesh that a primitive of skin belongs to.
+inline SkinMeshKey skin_mesh_key(const Primitive& primitive) {
+  return {.node = primitive.has_uv ? primitive.node : -1,
+          .material = primitive.has_uv && !primitive.own_light_map ? -1 : primitive.material};
+}
+
 /// One head. Every vertex belongs to one chart (vertices between charts are split; copies are at the end).
 struct SkinMesh {
   std::string name;              ///< of the first primitive, for messages
-  int node = -1;                 ///< see skin_mesh_number()
+  SkinMeshKey key;               ///< of all its primitives
   std::vector<Vertex> vertices;  ///< uv0 and uv1 raw
   /// per vertex; vertices that were split have the same
   std::vector<SourceVertex> sources;
@@ -56,14 +71,7 @@ struct SkinMesh {
   std::string unwrap_note;
 };
 
-/// Returns the skin mesh that a primitive of skin belongs to: SkinMesh::node. Skin without texture
-/// coordinates has no place on a map, so all of a material is one mesh with a negative number, from however
-/// many nodes.
-inline int skin_mesh_number(const Primitive& primitive) {
-  return primitive.has_uv ? primitive.node : -2 - primitive.material;
-}
-
-/// Returns one mesh per node with skin, in order of first appearance, all skin primitives of the node joined.
+/// Returns one mesh per key, in order of first appearance, all its skin primitives joined.
 /// Fits raw coordinates into 0..1 where needed; triangles that cannot lie there have no chart, see
 /// fit_unwrap(). Skips primitives without triangles. Metric: see triangle_metric.
 std::vector<SkinMesh> skin_meshes(const Scene& scene);

@@ -41,6 +41,8 @@ struct Checker {
     for (const double value : values) check(path, about, value);
   }
 
+  static void check(const std::string&, const About&, const std::vector<std::string>&) {}
+
   static void check(const std::string& path, const About& about, const std::vector<PlacedLight>& lights) {
     if (static_cast<double>(lights.size()) > about.most)
       throw input_error("", "{} must be at most {}, got {}", path, about.most, lights.size());

@@ -38,6 +38,13 @@ ordered_json json_value(const std::vector<PlacedLight>& lights) {
   return out;
 }
 
+// One text as programs before 0.3 read it, and as their records have it.
+ordered_json json_value(const std::vector<std::string>& texts) {
+  if (texts.empty()) return "";
+  if (texts.size() == 1) return texts.front();
+  return ordered_json(texts);
+}
+
 template <class Settings>
 ordered_json object_of(const Settings& settings) {
   ordered_json out = ordered_json::object();
@@ -96,6 +103,15 @@ void read(const json::Value& json, const About& about, std::optional<Value>& int
 void read(const json::Value& json, const About& about, std::vector<PlacedLight>& into) {
   into.resize(json.array_size(0, static_cast<std::size_t>(about.most)));
   for (std::size_t i = 0; i < into.size(); ++i) read_object(json.element(i), into[i] = {});
+}
+
+void read(const json::Value& json, const About&, std::vector<std::string>& into) {
+  into.clear();
+  if (json.is_text()) {
+    if (!json.text().empty()) into.push_back(json.text());
+    return;
+  }
+  for (std::size_t i = 0; i < json.array_size(0); ++i) into.push_back(json.element(i).text());
 }
 
 template <class Settings>

@@ -25,13 +25,52 @@ struct LightRead {
   bool shaded;                  // entering light was stored wherever there is a surface
 };
 
+// Of the four texels around the lit point, in the order (0,0) (1,0) (0,1) (1,1).
+struct FirstSurfaces {
+  vec4 depth;     // 0 where there is none
+  vec4 share;     // of each in what is read between them, 0 where no light enters
+  vec3 entering;  // as LightRead has it
+  bool shaded;
+};
+
+// What enters is decided per texel: light that meets the back of a surface, as it does inside a bust or a
+// mask, lets none in, and its depth, often that of the very point that is lit, must not be mixed with others.
+// Nothing is read where the surface faces the light, as in look_beside().
+FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
+  const vec2 f = m.between, size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);
+  FirstSurfaces s;
+  s.depth = vec4(m.z[0].y, m.z[1].x, m.z[2].z, m.z[3].w);
+  s.share = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+  s.share *= vec4(greaterThan(s.depth, vec4(0.0)));
+  s.entering = vec3(0.0);
+  s.shaded = true;
+
+  const float surface = dot(s.share, vec4(1.0));
+  const int texels = faces || !entering_stored ? 0 : 4;
+  for (int k = 0; k < texels; ++k) {
+    const vec2 uv = (base + vec2(k & 1, k >> 1) + 0.5) / size;
+    const vec4 stored = textureLod(entering_maps, vec3(uv, m.layer), 0.0);
+    const vec3 root = stored.rgb / max(stored.a, 1e-3);
+    s.shaded = s.shaded && (stored.a > 0.0 || s.depth[k] == 0.0);
+    // Behind the point, but for the rounding of a slope, a surface is another part.
+    const float before = smoothstep(-6.0, -2.0, way_of(ray, s.depth[k]) / texel_m);
+    s.share[k] *= max(root.r, max(root.g, root.b)) > 0.0 ? before : 0.0;
+    s.entering += s.share[k] * root * root;
+  }
+  s.entering /= max(surface, 1e-6);
+  return s;
+}
+
 // Finds the surface at the lit point, in the world and without the inverse of the map's matrix: a plane stays
 // a plane under projection, so differences of depth between neighbouring texels give it.
-void find_lit_point(inout LightRead r, MapLook m, MapRay ray, vec3 to_light, vec3 n_geometric) {
-  const float z00 = m.z[0].y, z10 = m.z[1].x, z01 = m.z[2].z, z11 = m.z[3].w;
+void find_lit_point(inout LightRead r, MapLook m, FirstSurfaces s, MapRay ray, vec3 to_light,
+                    vec3 n_geometric) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), f = m.between;
-  const float depth = mix(mix(z00, z10, f.x), mix(z01, z11, f.x), f.y);
-  const vec2 slope = vec2(mix(z10 - z00, z11 - z01, f.y), mix(z01 - z00, z11 - z10, f.x)) * size * 0.5;
+  const float share = dot(s.share, vec4(1.0));
+  const float depth = dot(s.share, s.depth) / max(share, 1e-6);
+  const vec2 slope = vec2(mix(s.depth.y - s.depth.x, s.depth.w - s.depth.z, f.y),
+                          mix(s.depth.z - s.depth.x, s.depth.w - s.depth.y, f.x)) *
+                     size * 0.5;
   const vec3 plane = (vec4(slope, -1.0, depth - dot(slope, ray.clip.xy / ray.clip.w)) * m.from_world)
                          .xyz;  // its normal, either way
   const float along = dot(plane, to_light);
@@ -41,13 +80,14 @@ void find_lit_point(inout LightRead r, MapLook m, MapRay ray, vec3 to_light, vec
   r.facing = clamp(-dot(plane, n_geometric) * scale, 0.0, 1.0);
 }
 
-// Returns the distance along a ray beside that of the light, in texels. Where there is no surface no light
-// enters.
+// Returns the distance along a ray beside that of the light, in texels. Where there is no surface, or its
+// back, no light enters.
 float way_beside(MapRay ray, MapLook m, vec2 side) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy);
-  const vec2 texel = floor(m.uv * size + side) + 0.5;
-  const float depth = textureLod(shadow_depths, vec3(texel / size, m.layer), 0.0).x;
-  return depth > 0.0 ? way_of(ray, depth) : 1e3;
+  const vec3 texel = vec3((floor(m.uv * size + side) + 0.5) / size, m.layer);
+  const float depth = textureLod(shadow_depths, texel, 0.0).x;
+  const bool enters = !entering_stored || textureLod(entering_maps, texel, 0.0).r > 0.0;
+  return depth > 0.0 && enters ? way_of(ray, depth) : 1e3;
 }
 
 // Finds the distances along four rays of each of both terms, `near` and `wide` and their quarter turns away,
@@ -77,25 +117,22 @@ LightRead read_light(LightIo light, Arriving a, ShadingPoint s, float cosine_her
 
   r.lit = share_lit(light, a, s, m);
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
-  find_lit_point(r, m, ray, a.to_light, s.normal);
+  const FirstSurfaces first = first_surfaces(m, ray, texel_m, cosine_here > 0.0);
+  find_lit_point(r, m, first, ray, a.to_light, s.normal);
 
   // The rays of the two terms form a cross and its diagonals.
   const float near = transmission.two_sigma_m[term_before] / texel_m;
   const float wide = sqrt(0.5) * transmission.two_sigma_m[last_term] / texel_m;
   look_beside(r, ray, m, vec2(near, 0.0), vec2(wide), cosine_here > 0.0);
 
-  // A surface that faces away and yet is the first that light meets is the inside of an open mesh, such as a
-  // bust: no body lies between.
-  const vec4 around = vec4(m.z[0].y, m.z[1].x, m.z[2].z, m.z[3].w);
-  const bool whole = all(greaterThan(around, vec4(0.0)));  // else the way is not known so well
+  r.entering = first.entering;
+  r.shaded = first.shaded;
+  if (entering_stored) return r;
+  // Of a host's map only the depth is known. A surface that faces away and yet is the first that light meets
+  // is the inside of an open mesh: no body lies between.
+  const bool whole = all(greaterThan(first.depth, vec4(0.0)));  // else the way is not known so well
   const float crossed = whole ? smoothstep(0.02, 0.1, r.way_m / texel_m) : 1.0;
-  r.entering = vec3(any(greaterThan(around, vec4(0.0))) ? crossed : 0.0);
-  r.shaded = true;
-  if (!entering_stored) return r;
-  // All light enters at parts too thin for the map of entering light, which is smaller than the depth map.
-  const vec4 stored = textureLod(entering_maps, vec3(m.uv, m.layer), 0.0);
-  if (stored.a > 1e-3) r.entering = crossed * (stored.rgb / stored.a) * (stored.rgb / stored.a);
-  r.shaded = stored.a > 0.0 || m.z[0].y == 0.0;
+  r.entering = vec3(any(greaterThan(first.depth, vec4(0.0))) ? crossed : 0.0);
   return r;
 }
 

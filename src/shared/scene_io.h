@@ -62,6 +62,7 @@ struct MaterialIo {
   float ior;
   float specular;
   float alpha_cutoff;
+  float transmission;  // part of what is not reflected that passes
   vec3 specular_colour;
   uint flags;
   float mix_before;  // exponent of the albedo that is applied before light scatters

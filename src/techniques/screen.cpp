@@ -31,10 +31,15 @@ using frame::Together;
 
 namespace {
 
+VkFormat entering_format(const FrameSettings& s) {
+  return s.all_enters ? passes::facing_format : passes::entering_format;
+}
+
 // Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
 // need not be finer than those. Within a factor of 1.5 a pass of their own would save neither time nor
 // memory: they are drawn with the shadow maps then, and as large.
 std::uint32_t entering_size(const FrameSettings& s) {
+  if (s.all_enters) return s.shadow_size;
   return 3 * std::uint64_t{s.map_size} <= 2 * std::uint64_t{s.shadow_size} ? s.map_size : s.shadow_size;
 }
 
@@ -77,13 +82,15 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   const auto lasts = settings.keep_shadows ? frame::Lifetime::persistent : frame::Lifetime::transient;
   shadow_ = plan.texture("shadow maps", shadow, lasts);
 
-  if (settings.translucency && !settings.all_enters) {
+  // A host's shadow map leaves no depth to draw against; where all light enters its depth alone has to say
+  // whether a surface is the first one.
+  const bool of_host = settings.host && settings.host->shadows;
+  if (settings.translucency && !(of_host && settings.all_enters)) {
     gpu::TextureDesc entering = shadow;
     entering.width = entering.height = entering_size(settings);
-    // A host's shadow map leaves no depth to draw against.
-    const bool of_host = settings.host && settings.host->shadows;
     if (of_host || entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);
-    entering.format = VK_FORMAT_R8G8B8A8_UNORM;
+    entering.format = entering_format(settings);
+    entering.grey_alpha = settings.all_enters;
     entering_ = plan.texture("entering maps", entering, lasts);
   }
 
@@ -241,7 +248,8 @@ void Screen::add_shadows(const Batch& batch) {
   passes::Shadow::Settings shadow{.first_instance = batch.first_head,
                                   .instances = batch.heads,
                                   .layers = std::max(settings_.shadow_layers, 1u),
-                                  .host_maps = settings_.host && settings_.host->shadows};
+                                  .host_maps = settings_.host && settings_.host->shadows,
+                                  .stored = entering_format(settings_)};
   const bool apart = entering_depth_.valid();
   plan_->add<passes::Shadow>(label("shadow", settings_, batch),
                              {shadow_, apart ? frame::TextureId{} : entering_}, shadow);

@@ -106,7 +106,7 @@ struct FrameSettings {
   /// Light comes through the body: lit from behind, thin skin glows.
   bool translucency = false;
   /// All that casts shadows is skin whose whole albedo acts after scattering (mix 0), so that all light
-  /// enters it: no map has to store which part does.
+  /// enters its front: a map stores which side the light meets, and not which part of it enters.
   bool all_enters = false;
   /// by_alpha, by_depth or by_tiles, of the texels that cull and clip have left unlit
   passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;

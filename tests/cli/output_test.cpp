@@ -45,6 +45,38 @@ TEST_F(Output, AFullDiskIsAnErrorThatLeavesNothing) {
   expect_refused(run({"plan", scene, "-o", "/dev/full"}), "/dev/full: cannot be written");
 }
 
+TEST_F(Output, EndingsInCapitalsAndNamesAsLongAsTheyMayBe) {
+  const std::string scene = head();
+  for (const std::string& name :
+       {std::string("A.PNG"), std::string("A.Exr"), std::string(251, 'a') + ".png"}) {
+    const Result result = run({"render", scene, "--size", "32x32", "-o", (folder() / name).string()});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(fs::exists(folder() / name)) << name;
+  }
+}
+
+TEST_F(Output, ALinkStaysAndWhatItNamesIsWritten) {
+  const std::string scene = head();
+  fs::create_directory(folder() / "store");
+  fs::create_symlink(fs::path("store") / "real.png", folder() / "there.png");
+  fs::create_symlink("there.png", picture());
+  ASSERT_TRUE(expect_rendered(render({scene})));
+  EXPECT_TRUE(fs::is_symlink(picture()) && fs::is_symlink(folder() / "there.png"));
+  EXPECT_TRUE(fs::is_regular_file(folder() / "store" / "real.png"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder() / "store"), {}), 1) << "nothing unfinished";
+
+  fs::create_symlink("round.png", folder() / "round.png");
+  const Result round = run({"render", scene, "-o", (folder() / "round.png").string()});
+  EXPECT_EQ(round.status, 1);
+  EXPECT_NE(round.err.find("round.png: cannot be written"), std::string::npos) << round.err;
+}
+
+TEST_F(Output, StandardOutputThatTakesNothingIsAnError) {
+  for (const Arguments& arguments :
+       {Arguments{"info"}, Arguments{"--help"}, Arguments{"render", "--help"}, Arguments{"profile"}})
+    EXPECT_EQ(run(arguments, {.file_bytes = 1}).status, 1) << arguments[0];
+}
+
 // A lamp in candela, as a file of another program may have it: a white picture says which exposure it needs.
 TEST_F(Output, APictureOverWhiteNamesTheExposure) {
   const Result white = render({head(), "--light", "0,10,2000"});

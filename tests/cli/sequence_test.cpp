@@ -285,6 +285,32 @@ TEST_F(Sequence, CtrlCLeavesWholeFilesAndResumeGoesOn) {
   EXPECT_GT(std::stoul(resumed.err.substr(says.size())), written);
 }
 
+TEST_F(Sequence, OfTwoRunsThatWriteTheSamePicturesTheSecondEnds) {
+  const Arguments long_one{"--orbit", "0,0..360,0", "--to", "1000"};
+  const std::string scene = head();
+  std::thread first([&] {
+    sequence("f-%d.png", long_one,
+             {.variables = {}, .interrupt_after_s = 0.01, .from_file = folder() / "end"});
+  });
+  for (int i = 0; i < 3000 && !fs::exists(folder() / "f-1.png"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  Arguments again{"sequence", scene, "-o", in_folder("f-%d.png")}, other = again;
+  other.back() = in_folder("g-%d.png");
+  const Result second = run(small(again)), beside = run(small([&] {
+                                             other.insert(other.end(), {"--to", "0.1"});
+                                             return other;
+                                           }()));
+  file("end", "");
+  first.join();
+
+  EXPECT_EQ(second.status, 1);
+  EXPECT_NE(second.err.find("another `dermis sequence` is writing these pictures"), std::string::npos)
+      << second.err;
+  EXPECT_EQ(beside.status, 0) << beside.err;
+  EXPECT_TRUE(fs::exists(folder() / "f-%d.png.resume"));
+  EXPECT_FALSE(fs::exists(folder() / "f-%d.png.lock"));
+}
+
 // Also what is not a setting: the files of the scene, and those that settings name.
 TEST_F(Sequence, ResumeTakesOnlyTheSameFiles) {
   const Arguments arguments{"--clip", "turn", "--to", "1000", "--fps", "1000"};

@@ -18,7 +18,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 FramePattern::FramePattern(const std::string& text) : text_(text) {
-  const std::string ending = std::filesystem::path(text).extension().string();
+  const std::string ending = ending_of(text);
   if (ending != ".png" && ending != ".exr")
     throw input_error(
         text, "pictures are written as .png or .exr, videos as .mp4, .webm or .webp, not as '{}'", ending);

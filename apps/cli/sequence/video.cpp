@@ -118,21 +118,20 @@ std::string last_line(int file) {
 }  // namespace
 
 bool is_video(const fs::path& path) {
-  const std::string ending = path.extension().string();
+  const std::string ending = ending_of(path);
   return ending == ".mp4" || ending == ".webm" || ending == ".webp";
 }
 
 void check_video(const fs::path& path, int width, int height) {
   find_ffmpeg(path);
-  if (path.extension() == ".mp4" && (width % 2 != 0 || height % 2 != 0))
+  if (ending_of(path) == ".mp4" && (width % 2 != 0 || height % 2 != 0))
     throw input_error(path.string(), "an .mp4 has an even number of rows and columns, and the frames {}x{}",
                       width, height);
 }
 
-Video::Video(fs::path path, int width, int height, double fps) : path_(std::move(path)) {
+Video::Video(fs::path path, int width, int height, double fps) : path_(followed_links(path)) {
   check_video(path_, width, height);
-  unfinished_ = path_;
-  unfinished_ += fmt::format(".{}.0.part", ::getpid());
+  unfinished_ = unfinished_path(path_, 0);
 
   Words words{find_ffmpeg(path_).string(), "-hide_banner", "-loglevel", "error", "-nostdin", "-y"};
   for (const std::string& word :
@@ -140,7 +139,7 @@ Video::Video(fs::path path, int width, int height, double fps) : path_(std::move
              "-framerate", fmt::format("{}", fps), "-i", "pipe:0", "-fflags", "+bitexact", "-flags:v",
              "+bitexact"})
     words.push_back(word);
-  for (const std::string& word : encoding(path_.extension().string())) words.push_back(word);
+  for (const std::string& word : encoding(ending_of(path_))) words.push_back(word);
   words.push_back("file:" + unfinished_.string());
 
   // A pipe without a reader is an error to report, not the end of this program.

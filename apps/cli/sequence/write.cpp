@@ -12,6 +12,7 @@
 
 #include "api/asset_files.h"
 #include "api/fingerprint.h"
+#include "cli/picture_hints.h"
 #include "cli/progress.h"
 #include "cli/sequence/frames.h"
 #include "cli/sequence/pattern.h"
@@ -20,6 +21,7 @@
 #include "cli/sequence/video.h"
 #include "cli/sequence/writers.h"
 #include "cli/version.h"
+#include "core/file.h"
 #include "core/hash.h"
 #include "core/hooks.h"
 #include "dermis/cancelled.h"
@@ -37,7 +39,7 @@ std::uint64_t fingerprint_of(const SequenceArguments& a, const Timeline& timelin
   hash.add(std::string_view(commit()));
   hash.add(to_json(settings_file(a)));
   hash.add(text_of(a.motion));
-  hash.add(FramePattern(a.output).path(0).extension().string());
+  hash.add(ending_of(a.output));
   for (const double number : {timeline.fps, timeline.from_s, timeline.to_s}) hash.add(number);
 
   // What is said of the files while they are read has been said.
@@ -62,8 +64,8 @@ void clean_up(const FramePattern& pattern, const Record& record, std::size_t cou
   std::set<std::string> names;
   const auto is_ours = [&](const std::string& name) {
     if (names.empty()) {
-      names.insert(record.path().filename().string());
-      for (std::size_t i = 0; i < count; ++i) names.insert(pattern.path(i).filename().string());
+      names.insert(unfinished_stem(record.path()));
+      for (std::size_t i = 0; i < count; ++i) names.insert(unfinished_stem(pattern.path(i)));
     }
     return names.contains(name);
   };
@@ -84,6 +86,8 @@ class Drawing {
     std::size_t written = 0;
     const auto take = [&](std::optional<Frame> frame) {
       if (!frame) return;
+      if (written == 0 && a_.settings.output.show == OutputSettings().show)
+        hint_at_picture(frame->picture, ending_of(a_.output) != ".exr");
       hand_over(std::move(*frame));
       ++written;
     };
@@ -120,7 +124,7 @@ Renderer make_renderer(const SequenceArguments& a) {
 }
 
 image::Image8 display_values(const std::filesystem::path& picture, ToneMap tone_map) {
-  if (picture.extension() == ".png") return image::load_image8(picture);
+  if (ending_of(picture) == ".png") return image::load_image8(picture);
   image::Image8 display = image::to_display(image::load_image_f(picture), tone_map);
   for (std::size_t i = 3; i < display.rgba.size(); i += 4) display.rgba[i] = 255;
   return display;
@@ -139,7 +143,9 @@ void save_sheet(const SequenceArguments& a, const FramePattern& pattern, std::si
 Written write_pictures(const SequenceArguments& a, const Timeline& timeline, SceneSource& scenes) {
   const FramePattern pattern(a.output);
   const std::size_t count = timeline.frames();
-  Record record(a.output + ".resume", fingerprint_of(a, timeline, scenes));
+  const std::filesystem::path output(a.output);
+  Record record(output.parent_path() / (unfinished_stem(output) + ".resume"),
+                fingerprint_of(a, timeline, scenes));
   clean_up(pattern, record, count);
   if (a.resume) record.load();
   const std::vector<std::size_t> to_do = frames_to_do(record, pattern, count);

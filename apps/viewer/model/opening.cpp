@@ -15,13 +15,6 @@
 namespace dermis::viewer {
 namespace {
 
-std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 // The camera of one scene says nothing of another.
 void show_scene(Document& document, const std::shared_ptr<const Opened>& opened) {
   document.opened = opened;

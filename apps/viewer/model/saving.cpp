@@ -14,7 +14,7 @@ namespace dermis::viewer {
 SaveNames save_names(const std::string& name) {
   std::filesystem::path base(name);
   if (base.filename().empty()) throw InputError("save", "the files need a name");
-  if (base.extension() == ".png" || base.extension() == ".exr") base.replace_extension();
+  if (ending_of(base) == ".png" || ending_of(base) == ".exr") base.replace_extension();
   const auto with = [&](const char* ending) { return std::filesystem::path(base.string() + ending); };
   return {.picture = with(".png"),
           .light = with(".exr"),

@@ -29,7 +29,8 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
           desc.constants.emplace_back("skin", skin ? 1u : 0u);
           desc.constants.emplace_back("cut_out", cut_out ? 1u : 0u);
           desc.constants.emplace_back("mixed", mixed ? 1u : 0u);
-          desc.colour_formats = {VK_FORMAT_R8G8B8A8_UNORM};
+          desc.constants.emplace_back("facing", settings.stored == facing_format ? 1u : 0u);
+          desc.colour_formats = {settings.stored};
         }
 
         pipelines_[skin][cut_out][mixed] = &library.graphics(desc);
@@ -106,7 +107,8 @@ void Shadow::draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const 
     take_host_map(cmd, instance.host_shadows[layer], shadow);
   } else if (layer < instance.shadow_from_world.size()) {
     const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
-                          .grow = 2.0f / static_cast<float>(shadow.desc().width)};
+                          .grow = 2.0f / static_cast<float>(shadow.desc().width),
+                          .is_turned = glm::determinant(instance.shadow_from_world[layer]) < 0 ? 1u : 0u};
     for (const bool cut_out : {false, true}) draw_skin(cmd, frame, instance, cut_out, io);
     for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, instance, cut_out, io);
   }

@@ -5,7 +5,8 @@
 DERMIS_IO_BEGIN
 struct ShadowIo {
   mat4 shadow_from_world;
-  float grow;  // one texel of this map, in width and height of the clip volume; see shadow.vert
+  float grow;      // one texel of this map, in width and height of the clip volume; see shadow.vert
+  uint is_turned;  // the map shows what the light sees, and no mirror image: front faces wind the other way
 };
 // See shadow_of_host.frag.
 struct HostShadowIo {

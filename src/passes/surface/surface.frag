@@ -103,7 +103,8 @@ void main() {
     return;
   }
 
-  const Look look = look_at(s, base.rgb);
+  Look look = look_at(s, base.rgb);
+  look.albedo *= 1.0 - material.transmission;
   const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
   vec3 radiance = vec3(0.0);
   for (uint i = nothing(); i < frame.light_count; ++i) {
@@ -135,5 +136,7 @@ void main() {
   // Colour is premultiplied. Alpha of the target marks skin: opaque parts write 0. Of a layer alpha is what
   // it hides.
   out_radiance = vec4(storable(radiance * alpha * frame.radiance_scale), layer ? 1.0 : 0.0);
-  if (is_on(material.flags & MATERIAL_ALPHA_BLEND)) out_radiance.a = alpha;
+  const float passes = material.transmission * dot(base.rgb, vec3(1.0 / 3.0)) *
+                       (1.0 - max(mirrored.x, max(mirrored.y, mirrored.z)));
+  if (is_on(material.flags & MATERIAL_ALPHA_BLEND)) out_radiance.a = alpha * (1.0 - passes);
 }

@@ -16,6 +16,7 @@
 #include "scene/complete.h"
 #include "scene/local_mesh.h"
 #include "scene/missing_uv.h"
+#include "scene/overlapping_skin.h"
 
 namespace dermis::scene {
 
@@ -73,6 +74,13 @@ std::vector<MaterialSource> used_materials(const AssetArrays& given, std::map<in
   return used;
 }
 
+UnusedMaterials unused_materials(const AssetArrays& given, const std::map<int, int>& numbers) {
+  UnusedMaterials unused;
+  for (std::size_t i = 0; i < given.materials.size(); ++i)
+    if (!numbers.contains(static_cast<int>(i))) unused.add(read_material(given.materials[i]));
+  return unused;
+}
+
 /// Gives meshes without a node one each, past those that are given.
 std::vector<int> nodes_of(const AssetArrays& given) {
   int next = 0;
@@ -127,7 +135,7 @@ Scene make(const AssetArrays& given, const LoadOptions& options) {
   scene.name = given.name.empty() ? name : given.name;
   std::map<int, int> numbers;
   std::vector<MaterialSource> materials = used_materials(given, numbers);
-  choose_skin(name, options.skin_material, materials);
+  choose_skin(name, options.skin_material, unused_materials(given, numbers), materials);
   const std::vector<int> nodes = nodes_of(given);
   check_skin_nodes(name, skin_nodes(given, nodes, materials, numbers));
   for (MaterialSource& m : materials) scene.materials.push_back(std::move(m.material));
@@ -144,6 +152,7 @@ Scene make(const AssetArrays& given, const LoadOptions& options) {
   leave_out_maps_without_uv(name, has.uv, scene);
   steps.done();
 
+  part_overlapping_skin(name, scene);
   complete_surfaces(has.tangents, scene);
   steps.done();
 

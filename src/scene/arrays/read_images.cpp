@@ -68,6 +68,7 @@ void read_images(const AssetArrays& arrays, std::uint64_t budget_bytes, Scene& s
     use.name = image.name;
     use.full_width = image.width;
     use.full_height = image.height;
+    use.deep = false;  // arrays have 8 bits
   }
   fit_to_budget(name_of(arrays), budget_bytes, uses);
   const std::vector<const MapUse*> kept = number_images(uses);
@@ -77,9 +78,8 @@ void read_images(const AssetArrays& arrays, std::uint64_t budget_bytes, Scene& s
   parallel_for(kept.size(), [&](std::size_t i) {
     const MapUse& use = *kept[i];
     try {
-      auto pixels =
-          std::make_shared<const image::Image8>(read(arrays.images[static_cast<std::size_t>(use.source)],
-                                                     {.halvings = use.halvings, .srgb = use.colour}));
+      auto pixels = std::make_shared<const image::Image8>(
+          read(arrays.images[static_cast<std::size_t>(use.source)], use.shrink()));
       scene.images[i] = {use.name, std::move(pixels)};
     } catch (const std::bad_alloc&) {
       throw input_error(

@@ -163,6 +163,7 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
     use.name = document.images[use.source].name;
     use.full_width = header.width;
     use.full_height = header.height;
+    use.deep = use.deep && header.bits == 16;
   }
   fit_to_budget(document.file, limits.budget_bytes, uses);
   const std::vector<const MapUse*> decoded = number_images(uses);
@@ -175,7 +176,7 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
     const MapUse& use = *decoded[i];
     const Header& header = pictures.headers.at(use.source);
     const std::string where = name_of(document, use.source);
-    const image::Shrink shrink{.halvings = use.halvings, .srgb = use.colour};
+    const image::Shrink shrink = use.shrink();
     const auto decode_picture = [&] {
       const Pass pass(gate, header.key.bytes + image::passing_bytes(header.picture, shrink));
       const EncodedImage encoded = bytes.image(use.source);

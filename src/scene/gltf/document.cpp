@@ -12,12 +12,11 @@ namespace dermis::scene::gltf {
 namespace {
 
 /// Extensions that a file may require. (Required or not, each is read wherever it occurs.)
-constexpr std::array<std::string_view, 9> supported_extensions{
-    "EXT_meshopt_compression", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
-    "KHR_materials_ior",       "KHR_materials_specular",
-    "KHR_materials_unlit",     "KHR_mesh_quantization",
-    "KHR_texture_transform"};
+constexpr std::array<std::string_view, 12> supported_extensions{
+    "EXT_meshopt_compression",         "KHR_draco_mesh_compression", "KHR_lights_punctual",
+    "KHR_materials_emissive_strength", "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",          "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_mesh_quantization",           "KHR_node_visibility",        "KHR_texture_transform"};
 
 struct Version {
   int major = 0, minor = 0;
@@ -49,9 +48,8 @@ std::vector<std::string> names_in(const Value& root, const char* key) {
 /// changes materials that are drawn in some way without it, or nothing that is seen.
 bool is_dispensable(std::string_view name) {
   constexpr std::array<std::string_view, 4> prefixes{"KHR_materials_", "EXT_materials_", "KHR_xmp", "VRM"};
-  constexpr std::array<std::string_view, 5> names{"KHR_animation_pointer", "KHR_node_visibility",
-                                                  "KHR_node_selectability", "KHR_node_hoverability",
-                                                  "EXT_lights_image_based"};
+  constexpr std::array<std::string_view, 4> names{"KHR_animation_pointer", "KHR_node_selectability",
+                                                  "KHR_node_hoverability", "EXT_lights_image_based"};
   return std::any_of(prefixes.begin(), prefixes.end(),
                      [&](auto prefix) { return name.starts_with(prefix); }) ||
          std::find(names.begin(), names.end(), name) != names.end();

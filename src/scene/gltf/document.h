@@ -133,6 +133,7 @@ struct Node {
   int parent = -1;
   std::vector<int> children;
   std::vector<double> weights;
+  bool visible = true;  ///< with all below it
   std::string place;
 };
 struct Skin {

@@ -56,6 +56,13 @@ std::vector<MaterialSource> used_materials(const Document& document, MaterialNum
   return used;
 }
 
+UnusedMaterials unused_materials(const Document& document, const MaterialNumbers& numbers) {
+  UnusedMaterials unused;
+  for (std::size_t i = 0; i < document.materials.size(); ++i)
+    if (!numbers.of.contains(static_cast<int>(i))) unused.add(document.materials[i]);
+  return unused;
+}
+
 ViewNodes place_lights_and_cameras(const Document& document, double unit_scale, Scene& scene) {
   ViewNodes placed;
   const std::vector<glm::dmat4> world = world_matrices(document, unit_scale);

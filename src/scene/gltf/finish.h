@@ -11,6 +11,9 @@ namespace dermis::scene::gltf {
 /// stays empty.
 std::vector<MaterialSource> used_materials(const Document& document, MaterialNumbers& numbers);
 
+/// Returns the other materials of the file; `numbers` are those of used_materials().
+UnusedMaterials unused_materials(const Document& document, const MaterialNumbers& numbers);
+
 struct ImageLimits {
   int max_side = 16384;            ///< pixels; larger pictures are rejected
   std::uint64_t budget_bytes = 0;  ///< of map_bytes() over all maps, scene/texture_budget.h
@@ -22,6 +25,10 @@ struct ImageLimits {
 /// as colour and as data counts twice, and is kept twice if it is downsampled. Throws InputError (names the
 /// picture), also if memory runs out.
 void decode_images(const Document& document, Bytes& bytes, const ImageLimits& limits, Scene& scene);
+
+/// Makes maps of roughness of those of glossiness: per material a factor on the map's alpha, none where the
+/// map is one of roughness.
+void turn_glossiness(const std::vector<std::optional<float>>& factors, Scene& scene);
 
 /// The nodes at which cameras and lights of a scene stand, in their order.
 struct ViewNodes {

@@ -10,6 +10,7 @@
 #include "scene/gltf/play.h"
 #include "scene/gltf/read_rig.h"
 #include "scene/missing_uv.h"
+#include "scene/overlapping_skin.h"
 
 namespace dermis::scene {
 
@@ -63,9 +64,11 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   scene.clips = animation_names(document);
   MaterialNumbers numbers;
   std::vector<MaterialSource> materials = used_materials(document, numbers);
-  choose_skin(document.file, options.skin_material, materials);
+  choose_skin(document.file, options.skin_material, unused_materials(document, numbers), materials);
+  std::vector<std::optional<float>> glossiness;
   for (MaterialSource& m : materials) {
     numbers.skin.push_back(m.material.skin);
+    glossiness.push_back(m.glossiness);
     scene.materials.push_back(std::move(m.material));
   }
 
@@ -76,6 +79,7 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
   leave_out_maps_without_uv(document.file, placed.has_uv, scene);
   steps.done();
 
+  part_overlapping_skin(document.file, scene);
   complete_surfaces(placed.file_tangents, scene);
   const ViewNodes views = place_lights_and_cameras(document, options.unit_scale, scene);
   if (posable) keep_rig(document, bytes, options, placed, views, scene);
@@ -85,6 +89,7 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
                 {.max_side = options.max_map_side,
                  .budget_bytes = static_cast<std::uint64_t>(options.texture_budget_mb * 1e6)},
                 scene);
+  turn_glossiness(glossiness, scene);
   steps.done();
 
   warn_of_size(document.file, scene);

@@ -162,11 +162,13 @@ MovingMesh moving_mesh(const MeshPrimitive& primitive, const LocalMesh& local, i
 }  // namespace
 
 std::vector<int> shown_nodes(const Document& document) {
-  std::vector<int> nodes = document.roots;  // a tree: no node occurs twice
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const std::vector<int>& children = document.nodes[nodes[i]].children;
-    nodes.insert(nodes.end(), children.begin(), children.end());
-  }
+  std::vector<int> nodes;  // a tree: no node occurs twice
+  const auto add = [&](const std::vector<int>& more) {
+    for (const int node : more)
+      if (document.nodes[node].visible) nodes.push_back(node);
+  };
+  add(document.roots);
+  for (std::size_t i = 0; i < nodes.size(); ++i) add(document.nodes[nodes[i]].children);
   return nodes;
 }
 

@@ -17,7 +17,7 @@ std::vector<glm::dmat4> world_matrices(const Document& document, double unit_sca
 /// Returns, per node, the number of the first primitive of its mesh: see Primitive::source_mesh.
 std::vector<int> first_source_meshes(const Document& document);
 
-/// Returns the nodes of the shown scene, parents first.
+/// Returns the nodes of the shown scene, parents first, without those that a hidden one holds.
 std::vector<int> shown_nodes(const Document& document);
 
 /// Numbers of the materials that shown primitives use.

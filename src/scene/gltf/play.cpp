@@ -159,11 +159,9 @@ std::vector<std::string> animation_names(const Document& document) {
 std::size_t find_animation(const Document& document, const std::string& name) {
   const std::vector<std::string> names = animation_names(document);
   if (names.empty()) throw input_error(document.file, "has no animation");
-  if (name.empty()) return 0;
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw input_error(document.file, "has no animation '{}'; {}", name, listed_names(name, names));
-  return static_cast<std::size_t>(found - names.begin());
+  const std::optional<std::size_t> number = clip_number(names, name);
+  if (!number) throw input_error(document.file, "has no animation '{}'; {}", name, listed_names(name, names));
+  return *number;
 }
 
 }  // namespace dermis::scene::gltf

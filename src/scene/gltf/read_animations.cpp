@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reads animations: which nodes they move, and where their key frames are.
+#include <set>
+
+#include "core/one_line.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/lenient.h"
 
@@ -63,6 +66,12 @@ void read_animations(Document& document, const Value& root) {
     else
       document.animations.push_back(std::move(animation));
   });
+
+  std::set<std::string> names;
+  for (const AnimationSource& animation : document.animations)
+    if (!names.insert(animation.name).second)
+      warn_in(document.file, "animations share the name '{}'; a number, 0 to {}, takes any of them",
+              one_line(animation.name, 80), document.animations.size() - 1);
 }
 
 }  // namespace dermis::scene::gltf

@@ -86,6 +86,26 @@ void read_metallic_roughness(const Document& document, const Value& value, Mater
   material.metallic_roughness_map = map_member(document, value, "metallicRoughnessTexture");
 }
 
+/// What a scan of before glTF's metallic-roughness has: the map's alpha says how smooth, and becomes the
+/// roughness once it is decoded (turn_glossiness()). Its specular colour is left out: skin has its own.
+void read_specular_glossiness(const Document& document, const Value& value, MaterialSource& source) {
+  Material& material = source.material;
+  const std::vector<double> diffuse = numbers_near(value, "diffuseFactor", 4, 0, 1);
+  for (glm::length_t i = 0; i < 4 && !diffuse.empty(); ++i)
+    material.base_colour[i] = static_cast<float>(diffuse[static_cast<std::size_t>(i)]);
+  material.base_colour_map = map_member(document, value, "diffuseTexture");
+  material.metallic = 0;
+  source.glossiness = factor(value, "glossinessFactor", 1);
+  material.roughness = 1 - *source.glossiness;
+  material.metallic_roughness_map = map_member(document, value, "specularGlossinessTexture");
+}
+
+/// A shell in front of something, as a cornea.
+void read_transmission(const Value& value, Material& material) {
+  material.transmission = factor(value, "transmissionFactor", 0);
+  if (value.has("transmissionTexture")) warn_at(value, "transmissionTexture is left out; its factor counts");
+}
+
 void read_material_extensions(const Document& document, const Value& value, MaterialSource& source) {
   Material& material = source.material;
 
@@ -112,6 +132,8 @@ void read_material_extensions(const Document& document, const Value& value, Mate
     material.specular_colour_map = map_member(document, *specular, "specularColorTexture");
   }
 
+  if (const auto transmission = extension(value, "KHR_materials_transmission"))
+    read_transmission(*transmission, material);
   material.unlit = extension(value, "KHR_materials_unlit").has_value();
 }
 
@@ -130,7 +152,11 @@ MaterialSource read_material(const Document& document, const Value& value) {
   material.name = text_near(value, "name", "");
 
   const std::optional<Value> pbr = value.find("pbrMetallicRoughness");
-  if (pbr && pbr->is_object()) read_metallic_roughness(document, *pbr, material);
+  const std::optional<Value> older = extension(value, "KHR_materials_pbrSpecularGlossiness");
+  if (pbr && pbr->is_object())
+    read_metallic_roughness(document, *pbr, material);
+  else if (older)
+    read_specular_glossiness(document, *older, source);
   material.normal_map = map_member(document, value, "normalTexture", "scale");
   material.occlusion_map = map_member(document, value, "occlusionTexture", "strength");
   material.emissive = colour_member(value, "emissiveFactor", glm::vec3(0), largest_radiance);

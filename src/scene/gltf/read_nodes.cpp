@@ -68,6 +68,8 @@ Node read_node(const Document& document, const Value& value, std::size_t nodes, 
   node.camera = index_near(value, "camera", document.cameras.size(), "camera");
   if (const auto light = extension(value, "KHR_lights_punctual"))
     node.light = index_near(*light, "light", document.lights.size(), "light");
+  if (const auto visibility = extension(value, "KHR_node_visibility"))
+    node.visible = boolean_near(*visibility, "visible", true);
   node.children = value.indices("children", nodes, "node");
 
   if (node.mesh < 0 && node.skin >= 0) warn_at(value, "has a skin but no mesh");

@@ -245,7 +245,7 @@ TEST(ArraysAsGltf, AMaterialThatSaysNothing) {
   given.materials[0].skin = true;
   given.materials[0].ior = 0.0f;
   expect_as_gltf(given);
-  expect_as_gltf(given, {.skin_material = "face"});
+  expect_as_gltf(given, {.skin_material = {"face"}});
 }
 
 TEST(ArraysAsGltf, BlendedSkinIsASurface) {

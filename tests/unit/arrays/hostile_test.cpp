@@ -267,7 +267,7 @@ TEST(ArraysHostile, Skin) {
        at + "profile: weights of green must sum to 1 within 0.001, they sum to 0.5"},
   });
   expect_refused({{[](Good&) {}, "no material is called 'leather'; there are: skin"}},
-                 {.skin_material = "leather"});
+                 {.skin_material = {"leather"}});
   expect_refused(
       {{[](Good& g) {
           g.face().node = -1;

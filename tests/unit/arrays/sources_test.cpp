@@ -80,7 +80,7 @@ std::size_t expect_sources(const AssetArrays& given) {
 
     std::vector<SourceVertex> named;
     for (const std::uint32_t index : mesh.indices) named.push_back(mesh.sources[index]);
-    EXPECT_TRUE(named == corners[mesh.node]);
+    EXPECT_TRUE(named == corners[mesh.key.node]);
 
     std::set<std::pair<int, std::uint32_t>> different;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -176,7 +177,8 @@ TEST_F(Files, PixelsThatAreNoNumbersAreMended) {
   picture.values[8] = -3;
   image::save_exr(path, picture);
   const Environment e = load(path);
-  for (const float value : e.radiance.values) EXPECT_TRUE(value >= 0 && value <= 1) << value;
+  for (const float value : e.radiance.values) EXPECT_TRUE(value >= 0 && value <= 65504) << value;
+  EXPECT_EQ(std::ranges::max(e.radiance.values), 65504) << "infinite light is the brightest";
   for (const glm::dvec3& n : some_directions()) EXPECT_TRUE(std::isfinite(evaluate(irradiance_of(e), n).x));
   for (const image::ImageF& level : prefilter(e))
     for (const float value : level.values) ASSERT_TRUE(std::isfinite(value));

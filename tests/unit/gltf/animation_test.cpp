@@ -190,7 +190,22 @@ TEST_F(Moved, HasClipsByNameAndNumber) {
   EXPECT_EQ(b.load().clips, (std::vector<std::string>{"0", "jump"}));
   expect_near(b.load({.clip = "jump"}).primitives[0].vertices[0].position_m, {0, 3, 0});
   expect_near(b.load({.clip = "0", .time_s = 2.0}).primitives[0].vertices[0].position_m, {2, 0, 0});
+  expect_near(b.load({.clip = "1"}).primitives[0].vertices[0].position_m, {0, 3, 0});
   EXPECT_ERROR(error(1.0, "run"), "has no animation 'run'; there are: 0, jump");
+  EXPECT_ERROR(error(1.0, "2"), "has no animation '2'; there are: 0, jump");
+}
+
+TEST_F(Moved, OfEqualNamesTheFirstCountsAndNumbersTakeAny) {
+  moves();
+  b.json["animations"][0]["name"] = "walk";
+  b.json["animations"].push_back(
+      {{"name", "walk"}, {"samplers", Json::array()}, {"channels", Json::array()}});
+  channel(sampler({0}, {0, 3, 0}, "VEC3", "STEP"), "translation");
+  const Warnings warnings;
+  expect_near(b.load({.clip = "walk", .time_s = 2.0}).primitives[0].vertices[0].position_m, {2, 0, 0});
+  expect_near(b.load({.clip = "1"}).primitives[0].vertices[0].position_m, {0, 3, 0});
+  EXPECT_TRUE(warnings.any_with("animations share the name 'walk'; a number, 0 to 1, takes any of them"))
+      << warnings.all();
 }
 
 TEST_F(Moved, CarriesCamerasAndLights) {

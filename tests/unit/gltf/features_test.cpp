@@ -16,23 +16,6 @@ glm::vec3 face_normal(const Primitive& p, std::size_t triangle = 0) {
   return glm::normalize(glm::cross(b - a, c - a));
 }
 
-void add_texture(Builder& b) {
-  b.json["images"] = Json::array({{{"uri", one_pixel}}});
-  b.json["textures"] = Json::array({{{"source", 0}}});
-}
-
-/// A triangle whose one material is `material`.
-Builder with_material(const Json& material) {
-  Builder b;
-  b.triangle();
-  add_texture(b);
-  b.json["materials"] = Json::array({material});
-  Json& primitive = b.json["meshes"][0]["primitives"][0];
-  primitive["material"] = 0;
-  primitive["attributes"]["TEXCOORD_1"] = Json(primitive["attributes"]["TEXCOORD_0"]);
-  return b;
-}
-
 }  // namespace
 
 TEST(GltfNodes, MirrorFlipsWindingAndTangents) {
@@ -78,6 +61,18 @@ TEST(GltfNodes, HierarchyAndUnitScale) {
   const Scene scene = b.load(options);
   expect_near(scene.primitives[0].vertices[0].position_m, {0, 0.1f, 0.5f});
   expect_near(scene.primitives[0].vertices[1].position_m, {0, 0.12f, 0.5f});
+}
+
+TEST(GltfNodes, HiddenOnesAreLeftOutWithAllBelow) {
+  Builder b;
+  for (int i = 0; i < 3; ++i) b.triangle();
+  b.json["scenes"][0]["nodes"] = {0, 1};
+  b.json["nodes"][1]["children"] = {2};
+  b.json["extensionsRequired"] = {"KHR_node_visibility"};
+  b.json["nodes"][1]["extensions"] = {{"KHR_node_visibility", {{"visible", false}}}};
+  EXPECT_EQ(b.load().primitives.size(), 1u);
+  b.json["nodes"][1]["extensions"]["KHR_node_visibility"] = Json::object();
+  EXPECT_EQ(b.load().primitives.size(), 3u);
 }
 
 TEST(GltfNodes, OnlyTheShownSceneIsRead) {
@@ -245,249 +240,6 @@ TEST(GltfMesh, SkinsFollowTheirJointsAsTheyStand) {
   const Warnings warnings;
   expect_near(b.load().primitives[0].vertices[1].position_m, {0.2f, 0, 2});
   EXPECT_TRUE(warnings.any_with("hang on joints which the skin does not have"));
-}
-
-TEST(GltfMaterial, FactorsMapsAndExtensions) {
-  const Scene scene =
-      with_material(
-          Json::parse(R"({"name": "eye", "alphaMode": "MASK", "alphaCutoff": 0.3, "doubleSided": true,
-    "pbrMetallicRoughness": {
-      "baseColorFactor": [0.1, 0.2, 0.3, 0.4], "metallicFactor": 0.5, "roughnessFactor": 0.25,
-      "baseColorTexture": {"index": 0}},
-    "normalTexture": {"index": 0, "scale": -2, "texCoord": 1},
-    "occlusionTexture": {"index": 0, "strength": 0.5}, "emissiveFactor": [1, 0.5, 0],
-    "extensions": {
-      "KHR_materials_emissive_strength": {"emissiveStrength": 4},
-      "KHR_materials_ior": {"ior": 1.33}, "KHR_materials_unlit": {},
-      "KHR_materials_specular": {
-        "specularFactor": 0.5, "specularColorFactor": [2, 1, 0], "specularTexture": {"index": 0}}}})"))
-          .load();
-
-  const Material& m = scene.materials[0];
-  EXPECT_EQ(m.base_colour, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
-  EXPECT_EQ(m.metallic, 0.5f);
-  EXPECT_EQ(m.roughness, 0.25f);
-  EXPECT_EQ(m.normal_map.scale, -2);
-  EXPECT_EQ(m.normal_map.uv_set, 1);
-  EXPECT_EQ(m.occlusion_map.scale, 0.5f);
-  EXPECT_EQ(m.emissive, glm::vec3(4, 2, 0));
-  EXPECT_EQ(m.ior, 1.33f);
-  EXPECT_EQ(m.specular, 0.5f);
-  EXPECT_EQ(m.specular_colour, glm::vec3(2, 1, 0));
-  EXPECT_EQ(m.specular_map.channel, 3);
-  EXPECT_TRUE(m.unlit && m.double_sided && m.skin);
-  EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
-  EXPECT_EQ(m.alpha_cutoff, 0.3f);
-
-  ASSERT_EQ(scene.images.size(), 1u);
-  EXPECT_EQ(scene.images[0].pixels->rgba, (std::vector<std::uint8_t>{255, 0, 0, 127}));
-}
-
-// One line that names what is drawn as a surface although it would be skin; what is not used is not named.
-TEST(GltfMaterial, BlendedSkinIsASurface) {
-  Builder b;
-  for (int i = 0; i < 3; ++i) {
-    b.triangle();
-    b.json["meshes"][i]["primitives"][0]["material"] = i;
-  }
-  b.json["materials"] = {{{"name", "skin A"}, {"alphaMode", "BLEND"}},
-                         {{"name", "skin B"}, {"alphaMode", "MASK"}},
-                         {{"name", "skin C"}, {"alphaMode", "BLEND"}},
-                         {{"name", "skin D"}, {"alphaMode", "BLEND"}}};
-  tests::LogLines said;
-  const Scene scene = b.load();
-  LoadOptions by_name;
-  by_name.skin_material = "skin C";
-  const Scene named = b.load(by_name);
-  std::vector<std::string> lines = said.all;
-  std::erase_if(lines, [](const std::string& line) { return line.find("BLEND") == std::string::npos; });
-
-  EXPECT_FALSE(scene.materials[0].skin);
-  EXPECT_TRUE(scene.materials[1].skin);
-  EXPECT_FALSE(scene.materials[2].skin);
-  EXPECT_EQ(scene.materials[0].alpha_mode, AlphaMode::blend);
-  EXPECT_EQ(scene.materials[0].ior, 1.5f) << "that of any surface";
-  EXPECT_FALSE(named.materials[2].skin) << "--skin names what may be skin, not how it is drawn";
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_NE(lines[0].find("'skin A', 'skin C'"), std::string::npos) << lines[0];
-  EXPECT_NE(lines[1].find("'skin C'"), std::string::npos) << lines[1];
-}
-
-TEST(GltfMaterial, SkinRule) {
-  Builder b;
-  for (int i = 0; i < 3; ++i) {
-    b.triangle();
-    b.json["meshes"][i]["primitives"][0]["material"] = i;
-  }
-  b.json["materials"] = {{{"name", "Eye"}}, {{"name", "FaceSkin"}}, {{"name", "Hair"}}};
-
-  const auto skins = [](const Scene& s) {
-    std::string names;
-    for (const Material& m : s.materials) names += m.skin ? m.name + " " : "";
-    return names;
-  };
-  EXPECT_EQ(skins(b.load()), "FaceSkin ");
-  EXPECT_EQ(b.load().materials[1].ior, 1.4f);
-  EXPECT_EQ(b.load().materials[0].ior, 1.5f);
-
-  LoadOptions named;
-  named.skin_material = "Hair";
-  EXPECT_EQ(skins(b.load(named)), "Hair ");
-  named.skin_material = "Nose";
-  EXPECT_ERROR(b.error(named), "no material is called 'Nose'; there are: Eye, FaceSkin, Hair");
-
-  b.json["materials"][0]["extras"] = {{"dermis", {{"skin", true}}}};
-  EXPECT_EQ(skins(b.load()), "Eye ");
-  b.json["materials"][0]["extras"] = {{"dermis", {{"skin", false}}}};
-  EXPECT_EQ(skins(b.load()), "FaceSkin ");
-
-  b.json["materials"][1]["name"] = "Face";
-  const Warnings warnings;
-  EXPECT_EQ(skins(b.load()), "");
-  EXPECT_TRUE(warnings.any_with("no material is skin; name one with skin_material: 'Eye', 'Face', 'Hair'"))
-      << warnings.all();
-}
-
-TEST(GltfMaterial, DermisExtrasAreReadInFull) {
-  const SkinMaterial s = with_material(Json::parse(R"({"extras": {"dermis": {"skin": true, "mix": 0.25,
-    "profile": {"name": "mine", "variances_mm2": [0.5, 2], "weights": [[0.5, 0.25, 1], [0.5, 0.75, 0]]},
-    "specular": {"texture": 0, "channel": 1, "scale": 2},
-    "roughness": {"texture": {"index": 0, "texCoord": 1}},
-    "displacement": {"texture": 0, "mm": 3, "middle": 0.537},
-    "detail": {"texture": {"index": 0, "texCoord": 1}, "scale": 0.5}, "lobes": [[1, 0.6], [2, 0.4]]}}})"))
-                             .load()
-                             .materials[0]
-                             .skin_settings;
-
-  ASSERT_TRUE(s.profile);
-  EXPECT_EQ(s.profile->terms.size(), 2u);
-  EXPECT_EQ(s.mix, 0.25f);
-  EXPECT_EQ(s.specular.channel, 1);
-  EXPECT_EQ(s.specular.scale, 2);
-  EXPECT_EQ(s.roughness.channel, 1);  // green, as glTF has roughness
-  EXPECT_EQ(s.roughness.uv_set, 1);
-
-  EXPECT_EQ(s.displacement_mm, 3);
-  EXPECT_EQ(s.displacement_middle, 0.537f);
-  EXPECT_EQ(s.detail.image, 0);
-  EXPECT_EQ(s.detail.uv_set, 1);
-  EXPECT_EQ(s.detail.scale, 0.5f);
-  ASSERT_EQ(s.lobes.size(), 2u);
-  EXPECT_EQ(s.lobes[1].roughness_factor, 2);
-}
-
-TEST(GltfMaterial, DermisExtrasAreStrict) {
-  const auto error = [](const std::string& dermis) {
-    return with_material({{"extras", {{"dermis", Json::parse(dermis)}}}}).error();
-  };
-
-  EXPECT_ERROR(
-      error(R"({"skinn": true})"),
-      "unknown key 'skinn'; there are: skin, profile, mix, specular, roughness, displacement, detail, lobes");
-  EXPECT_ERROR(error(R"({"specular": {"texture": 0, "chanel": 1}})"),
-               "unknown key 'chanel'; there are: texture, channel, scale");
-  EXPECT_ERROR(error(R"({"displacement": {"texture": 0}})"), "'mm' is missing");
-  EXPECT_ERROR(error(R"({"specular": {"texture": 1}})"), "there is no texture 1");
-  EXPECT_ERROR(error(R"({"detail": {"scale": 1}})"), "'texture' is missing");
-  EXPECT_ERROR(error(R"({"detail": {"texture": 7}})"), "there is no texture 7");
-  EXPECT_ERROR(error(R"({"detail": {"texture": 0, "scale": -1}})"), "must be 0 to 10");
-  EXPECT_ERROR(error(R"({"specular": {"texture": 0, "channel": "X"}})"), "one of R, G, B, A");
-
-  EXPECT_ERROR(error(R"({"mix": 1.5})"), "must be 0 to 1");
-  EXPECT_ERROR(error(R"({"lobes": [[1, 0.5], [2, 0.4]]})"), "must sum to 1");
-  EXPECT_ERROR(error(R"({"lobes": [[0, 1]]})"), "must be over 0");
-  EXPECT_ERROR(error(R"({"lobes": []})"), "empty array");
-
-  EXPECT_ERROR(error(R"({"profile": "no-such-skin"})"), "there are:");
-  EXPECT_ERROR(error(R"({"profile": "/etc/passwd"})"), "relative to the scene");
-  EXPECT_ERROR(error(R"({"profile": {"name": "x", "variances_mm2": [-1], "weights": [[1, 1, 1]]}})"),
-               "extras.dermis.profile");
-  EXPECT_ERROR(error(R"([])"), "must be an object");
-}
-
-TEST(GltfMaterial, ProfileFileLiesBesideTheScene) {
-  const TempFolder folder;
-  write_text(folder.path() / "mine.json",
-             R"({"name": "mine", "variances_mm2": [1], "weights": [[1, 1, 1]]})");
-  const Builder b = with_material({{"extras", {{"dermis", {{"profile", "mine.json"}}}}}});
-  EXPECT_EQ(load_gltf(b.write(folder.path())).materials[0].skin_settings.profile->name, "mine");
-}
-
-TEST(GltfMaterial, FileTangentsServeOnlyAPlainNormalMap) {
-  // Tangents along -x, against what the coordinates say: +x means that they were made anew.
-  const auto tangent_x = [](const Json& normal_texture, float w) {
-    Builder b = with_material({{"normalTexture", normal_texture}});
-    b.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
-        b.accessor({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
-    b.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] =
-        b.accessor({-1, 0, 0, w, -1, 0, 0, w, -1, 0, 0, w}, "VEC4");
-    return b.load().primitives[0].vertices[0].tangent;
-  };
-  EXPECT_EQ(tangent_x({{"index", 0}}, 1).x, -1);
-  EXPECT_EQ(tangent_x({{"index", 0}}, 0.3f).x, 1);  // no handedness: not usable
-  const Json flip = {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {1, -1}}}}}}};
-  const glm::vec4 flipped = tangent_x(flip, 1);
-  EXPECT_EQ(flipped.x, 1);
-  // v of the file runs along +y; flipped it runs along -y, so the picture's top is at +y and cross(n, t) = +y
-  // agrees.
-  EXPECT_EQ(flipped.w, 1);
-}
-
-TEST(GltfImages, PlainSourceStandsInForUnreadFormats) {
-  Builder b = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
-  b.json["images"].push_back({{"uri", "missing.ktx2"}});
-  b.json["textures"][0]["extensions"] = {{"KHR_texture_basisu", {{"source", 1}}}};
-  b.json["extensionsUsed"] = {"KHR_texture_basisu"};
-  EXPECT_EQ(b.load().images.size(), 1u);
-  b.json["textures"][0].erase("source");
-  const Warnings warnings;
-  EXPECT_FALSE(b.load().materials[0].base_colour_map.present());
-  EXPECT_TRUE(warnings.any_with("no PNG or JPEG picture"));
-  b.json["extensionsRequired"] = {"KHR_texture_basisu"};
-  EXPECT_ERROR(b.error(), "requires the extension KHR_texture_basisu");
-}
-
-TEST(GltfImages, OnlyUsedImagesAreDecodedAndBadOnesNamed) {
-  Builder b = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
-  b.json["images"].push_back({{"uri", "nowhere.png"}});
-  b.json["textures"].push_back({{"source", 1}});
-  EXPECT_EQ(b.error(), "");
-  b.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};
-  EXPECT_ERROR(b.error(), "nowhere.png");
-  b.json["images"][1] = {{"uri", "data:image/png;base64,AAAA"}, {"name", "pores"}};
-  EXPECT_ERROR(b.error(), "image 'pores'");
-}
-
-TEST(GltfUris, WhatIsReadAndWhatIsRefused) {
-  const TempFolder folder;
-  const auto error = [&](const std::string& uri) {
-    Builder b;
-    b.triangle();
-    b.json["buffers"][0]["uri"] = uri;
-    write_text(folder.path() / "a b%.bin", b.bytes);
-    write_text(folder.path() / "plain.bin", b.bytes);
-    fs::create_directories(folder.path() / "sub");
-    write_text(folder.path() / "sub" / "built.gltf", b.json.dump());
-    return error_of(folder.path() / "sub" / "built.gltf");
-  };
-
-  EXPECT_EQ(error("../plain.bin"), "");
-  EXPECT_EQ(error("../a%20b%25.bin"), "");
-  EXPECT_EQ(error("../a b%.bin"), "");  // not escaped, but there
-
-  EXPECT_ERROR(error((folder.path() / "plain.bin").string()), "absolute path");
-  EXPECT_ERROR(error("%2Fetc%2Fhostname"), "absolute path");
-  EXPECT_ERROR(error("file:///etc/hostname"), "not a relative uri");
-  EXPECT_ERROR(error("C:\\x.bin"), "not a relative uri");
-  EXPECT_ERROR(error("http://example.com/x.bin"), "not a relative uri");
-
-  EXPECT_ERROR(error("no.bin"), "no such file");
-  EXPECT_ERROR(error(".."), "is a directory");
-  EXPECT_ERROR(error(""), "the uri is empty");
-
-  EXPECT_ERROR(error("data:application/octet-stream;base64,AAAA"), "cut off");
-  EXPECT_ERROR(error("data:application/octet-stream;base64,A*AA"), "not valid base64");
-  EXPECT_ERROR(error("data:application/octet-stream,AAAA"), "base64");
 }
 
 }  // namespace dermis::scene::test

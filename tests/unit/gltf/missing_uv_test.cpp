@@ -60,6 +60,18 @@ TEST(GltfMissingUv, MapsThatNobodyCanReadAreNotRead) {
   EXPECT_TRUE(scene.images.empty());
 }
 
+TEST(GltfMissingUv, CoordinatesAtOnePointOrOnALineAreNone) {
+  for (const std::vector<float>& uv :
+       {std::vector<float>{.5f, .5f, .5f, .5f, .5f, .5f}, {0, 0, 1, 1, .5f, .5f}}) {
+    Builder b = triangles({{true, true}}, "skin");
+    b.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = b.accessor(uv, "VEC2");
+    const Warnings warnings;
+    b.load();
+    EXPECT_TRUE(warnings.any_with("texture coordinates without area, so skin is lit without scattering"))
+        << warnings.all();
+  }
+}
+
 TEST(GltfMissingUv, NothingChangesWhereNothingIsMissing) {
   const Warnings warnings;
   const Scene scene = triangles({{true, true}, {true, true}}, "skin").load();

@@ -121,7 +121,7 @@ TEST(Png, OurWriterRoundTripsAndIsDeterministic) {
   }
 }
 
-TEST(Png, OurFilesHoldOnlyPixels) {
+TEST(Png, OurFilesHoldPixelsAndWhatTheirColoursAre) {
   const Image8 picture{.width = 2, .height = 1, .rgba = {1, 2, 3, 4, 5, 6, 7, 8}};
   const Bytes file = formats::encode_png(picture, false, "out");
   std::string chunks;
@@ -131,7 +131,7 @@ TEST(Png, OurFilesHoldOnlyPixels) {
     chunks += std::string(reinterpret_cast<const char*>(&file[at + 4]), 4) + " ";
     at += length + 12;
   }
-  EXPECT_EQ(chunks, "IHDR IDAT IEND ");
+  EXPECT_EQ(chunks, "IHDR sRGB IDAT IEND ");
 }
 
 }  // namespace

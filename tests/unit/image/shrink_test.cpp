@@ -75,6 +75,28 @@ TEST(Shrink, PngOfEveryKindIsTheAverageOfAreas) {
     }
 }
 
+TEST(Shrink, SixteenBitsAreKeptWhereTheyAreAskedFor) {
+  const std::vector<std::uint8_t> samples = noise(8 * 4 * 2, 5);  // grey, low byte first
+  const Bytes file =
+      make_png({.width = 8, .height = 4, .bit_depth = 16, .colour_type = 0, .palette_rgba = {}}, samples);
+  const auto grey = [&](std::size_t i) { return samples[2 * i] + samples[2 * i + 1] * 256; };
+
+  const Image8 whole = decode_image8(file, "map", {}, {.deep = true});
+  EXPECT_EQ(whole.rgba, decode_image8(file, "map").rgba);
+  EXPECT_TRUE(decode_image8(file, "map").rgba16.empty());
+  ASSERT_EQ(whole.rgba16.size(), whole.rgba.size());
+  for (std::size_t i = 0; i < 32; ++i) EXPECT_EQ(whole.rgba16[4 * i + 1], grey(i));
+  EXPECT_FLOAT_EQ(whole.value(3, 2, 0), static_cast<float>(grey(19)) / 257);
+
+  const Image8 half = decode_image8(file, "map", {}, {.halvings = 1, .deep = true});
+  ASSERT_EQ(half.rgba16.size(), 4u * 2 * 4);
+  EXPECT_NEAR(half.rgba16[0], (grey(0) + grey(1) + grey(8) + grey(9)) / 4.0, 1);
+  EXPECT_NEAR(half.rgba16[4 * 7 + 2], (grey(22) + grey(23) + grey(30) + grey(31)) / 4.0, 1);
+
+  const Bytes eight = make_png({.width = 4, .height = 2, .palette_rgba = {}}, noise(32, 1));
+  EXPECT_TRUE(decode_image8(eight, "map", {}, {.deep = true}).rgba16.empty());
+}
+
 TEST(Shrink, JpegToo) {
   constexpr int width = 40, height = 24;
   for (const JpegKind kind : {JpegKind::rgb, JpegKind::progressive}) {
@@ -138,13 +160,13 @@ TEST(Shrink, LinearPicturesAreHalvedToTheLimit) {
   std::vector<float> values;
   for (int i = 0; i < 20 * 12; ++i)
     values.insert(values.end(), {static_cast<float>(i % 20), static_cast<float>(i / 20), 1});
-  values[0] = std::numeric_limits<float>::infinity();  // black before it is averaged, not after
+  values[0] = std::numeric_limits<float>::infinity();  // read as 65504 before it is averaged, not after
   for (const int tile : {0, 8}) {
     const ImageF small = decode_image_f(
         make_exr({.width = 20, .height = 12, .channels = "RGB", .tile = tile}, values), "sky", {}, 60);
     ASSERT_EQ(std::pair(small.width, small.height), std::pair(10, 6));
-    EXPECT_NEAR(small.at(0, 0)[0], 0.5, 1e-6) << "(0 + 1 + 0 + 1) / 4";
-    EXPECT_NEAR(small.at(0, 0)[2], 0.75, 1e-6);
+    EXPECT_NEAR(small.at(0, 0)[0], 16376.5, 1e-2) << "(65504 + 1 + 0 + 1) / 4";
+    EXPECT_NEAR(small.at(0, 0)[2], 1, 1e-6);
     for (int y = 0; y < 6; ++y)
       for (int x = y == 0 ? 1 : 0; x < 10; ++x) {
         EXPECT_NEAR(small.at(x, y)[0], 2 * x + 0.5, 1e-5);

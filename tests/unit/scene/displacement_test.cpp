@@ -79,9 +79,32 @@ TEST(Displacement, ARampOfStairsComesOutEven) {
   EXPECT_NEAR(mean, expected.x, 0.1 * std::abs(expected.x));
   EXPECT_LT(worst, 5);
 
-  EXPECT_NEAR(height_smoothing_texels(3, 0.0375), 1.44, 0.02);
+  EXPECT_NEAR(height_smoothing_texels(3.0 / 255, 0.0375), 1.44, 0.02);
   EXPECT_EQ(height_smoothing_texels(0, 0.1), 0.7);
-  EXPECT_EQ(height_smoothing_texels(-100, 0.1), 2);
+  EXPECT_EQ(height_smoothing_texels(-100.0 / 255, 0.1), 2);
+}
+
+// A gentle wave: steps of 8 bits show as contour lines, however they are smoothed.
+TEST(Displacement, HeightsOf16BitsHaveNoSteps) {
+  DisplacementSettings s;
+  s.displacement_mm = 3;
+  s.mm_per_uv = {600, 600};
+  const auto wave = [](double u, double) { return 0.5 + 0.08 * std::sin(6 * 2 * pi * u); };
+  image::Image8 heights = heights_of(1024, 4, wave);
+  const auto worst = [&] {
+    const image::Image8 n = displaced_normals(heights, s);
+    double found = 0;
+    for (int x = 0; x < n.width; ++x) {
+      const double slope = 3 * 0.08 * 6 * 2 * pi * std::cos(6 * 2 * pi * (x + 0.5) / 1024) / 600;
+      found = std::max(found, degrees_between(normal_at(n, x, 2), glm::normalize(glm::dvec3(-slope, 0, 1))));
+    }
+    return found;
+  };
+  EXPECT_GT(worst(), 0.5);
+  for (int i = 0; i < 1024 * 4 * 4; ++i)
+    heights.rgba16.push_back(
+        static_cast<std::uint16_t>(std::lround(65535 * wave((i / 4 % 1024 + 0.5) / 1024, 0))));
+  EXPECT_LT(worst(), 0.4) << "half a step of the normal's 8 bits";
 }
 
 TEST(Displacement, FlatHeightsKeepTheBase) {

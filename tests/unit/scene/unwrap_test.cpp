@@ -178,7 +178,7 @@ TEST(Unwrap, JoinsTheSkinOfANodeAndLeavesTheRest) {
   const std::vector<SkinMesh> meshes = skin_meshes(scene);
   ASSERT_EQ(meshes.size(), 2u);
   EXPECT_EQ(meshes[0].triangle_material, (std::vector<int>{0, 0, 2, 2}));
-  EXPECT_EQ(meshes[1].node, 7);
+  EXPECT_EQ(meshes[1].key.node, 7);
   EXPECT_EQ(meshes[1].triangle_material, (std::vector<int>{2, 2}));
 }
 

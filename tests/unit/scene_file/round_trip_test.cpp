@@ -37,7 +37,7 @@ std::array<double, 16> odd_transform() {
 
 Scene whole_scene() {
   Scene scene;
-  const Asset head = asset_of("/heads/a/head.glb", {.unit_scale = 0.1, .skin_material = "face"});
+  const Asset head = asset_of("/heads/a/head.glb", {.unit_scale = 0.1, .skin_material = {"face", "*ear*"}});
   const InstanceId first = scene.add({.asset = head, .name = "left", .world_from_asset = odd_transform()});
   scene.add({.asset = asset_of({}),
              .name = "twin",
@@ -89,7 +89,7 @@ TEST(SceneFile, HoldsAllOfAScene) {
   ASSERT_EQ(file.assets.size(), 2u);
   EXPECT_EQ(file.assets[0].file, "/heads/a/head.glb");
   EXPECT_EQ(file.assets[0].options.unit_scale, 0.1);
-  EXPECT_EQ(file.assets[0].options.skin_material, "face");
+  EXPECT_EQ(file.assets[0].options.skin_material, (std::vector<std::string>{"face", "*ear*"}));
   EXPECT_TRUE(file.assets[1].file.empty());
   EXPECT_EQ(file.asset_of_instance, (std::vector<std::size_t>{0, 1, 0}));
 
