@@ -54,6 +54,10 @@ struct Words {
     add(about, value ? text_of(*value) : std::string(about.none));
   }
 
+  void operator()(const About& about, const std::vector<std::string>& values) const {
+    for (const std::string& value : values) add(about, value);
+  }
+
   void operator()(const About& about, const std::vector<PlacedLight>& lights) const {
     for (const PlacedLight& light : lights)
       add(about, fmt::format("{},{},{}", light.azimuth_deg, light.elevation_deg, light.irradiance));

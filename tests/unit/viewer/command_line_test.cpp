@@ -30,6 +30,7 @@ struct Other {
   void operator()(std::uint64_t& value) const { value += 3; }
   void operator()(bool& value) const { value = !value; }
   void operator()(std::string& value) const { value = "it's a name; $HOME"; }
+  void operator()(std::vector<std::string>& values) const { values = {"it's a name; $HOME", "*[a-z]"}; }
   template <std::size_t Count>
   void operator()(std::array<double, Count>& values) const {
     for (double& value : values) value = -1.0 / 3 + 0.1 * static_cast<double>(&value - values.data());
