@@ -187,6 +187,7 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
       .add_option("--skin", source.skin_material,
                   "a material that is skin, or a pattern of names, as 'render' takes it")
       ->allow_extra_args(false)
+      ->default_str("")
       ->type_name("NAME")
       ->group("Head (with --head)");
   add_of_head(

@@ -74,7 +74,8 @@ void part_overlapping_skin(const std::string& file, Scene& scene) {
     if (is_skin(scene, primitive)) of_node[primitive.node].push_back(&primitive);
 
   std::set<SkinMeshKey> light_maps;
-  for (auto& [node, primitives] : of_node) {
+  for (auto& of_one : of_node) {
+    const std::vector<Primitive*>& primitives = of_one.second;
     const auto is_of_first = [&](const Primitive* p) { return p->material == primitives[0]->material; };
     if (!std::all_of(primitives.begin(), primitives.end(), is_of_first)) {
       Cells cells;

@@ -73,7 +73,7 @@ TEST_F(Output, ALinkStaysAndWhatItNamesIsWritten) {
 
 TEST_F(Output, StandardOutputThatTakesNothingIsAnError) {
   for (const Arguments& arguments :
-       {Arguments{"info"}, Arguments{"--help"}, Arguments{"render", "--help"}, Arguments{"profile"}})
+       {Arguments{"info"}, Arguments{"--help"}, Arguments{"render", "--help"}, Arguments{"--version"}})
     EXPECT_EQ(run(arguments, {.file_bytes = 1}).status, 1) << arguments[0];
 }
 

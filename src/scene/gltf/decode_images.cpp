@@ -125,14 +125,15 @@ Pictures read_headers(const Document& document, Bytes& bytes, const image::Decod
   for (const MapUse& use : map_uses(scene)) {
     if (first.contains(use.source)) continue;
     const bool is_needed = needed.contains(use.source);
-    const auto [place, is_new] = by_place.try_emplace(place_of(document, use.source), -1);
+    const auto entry = by_place.try_emplace(place_of(document, use.source), -1);
+    int& same = entry.first->second;
     // One that failed where nothing needed it fails again where something does.
-    if (is_new || (place->second < 0 && is_needed)) {
-      const std::string fault = fault_of([&] { place->second = read(use.source); });
+    if (entry.second || (same < 0 && is_needed)) {
+      const std::string fault = fault_of([&] { same = read(use.source); });
       if (!fault.empty()) leave_out(document, use.source, is_needed, fault);
     }
-    first[use.source] = place->second;
-    if (is_needed) pictures.needed.insert(place->second);
+    first[use.source] = same;
+    if (is_needed) pictures.needed.insert(same);
   }
   point_maps_at_first(first, scene);
   return pictures;
