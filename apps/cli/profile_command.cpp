@@ -183,13 +183,9 @@ void add_source_options(CLI::App& command, SourceOptions& source) {
   const auto add_of_head = [&](const char* name, std::string& value, const char* type, const char* help) {
     add_text(command, name, value, type, help)->group("Head (with --head)");
   };
-  command
-      .add_option("--skin", source.skin_material,
-                  "a material that is skin, or a pattern of names, as 'render' takes it")
-      ->allow_extra_args(false)
-      ->default_str("")
-      ->type_name("NAME")
-      ->group("Head (with --head)");
+  const About skin{.help = "a material that is skin, or a pattern of names, as 'render' takes it",
+                   .values = "NAME"};
+  AddOption{command}("--skin", skin, source.skin_material)->group("Head (with --head)");
   add_of_head(
       "--melanin-map", source.melanin_map, "FILE",
       "PNG to write: 0 to 255 are fractions of 0.0005 to 0.5, evenly in their logarithms; 'render' takes it");

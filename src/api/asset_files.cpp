@@ -6,7 +6,6 @@
 
 #include "api/asset_state.h"
 #include "core/file.h"
-#include "core/hooks.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/uri.h"
 
@@ -29,8 +28,6 @@ std::set<fs::path> files_of(const Scene& scene) {
 }  // namespace
 
 void add_asset_files(Hash& hash, const Scene& scene) {
-  // What there is to warn of was said when they were loaded.
-  const HookScope quiet(Hooks{.log = [](LogLevel, const std::string&) {}});
   for (const fs::path& file : files_of(scene)) {
     const gltf::Container container = gltf::open_container(file);
     hash.bytes(container.bytes.data(), container.bytes.size());

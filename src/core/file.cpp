@@ -33,8 +33,8 @@ bool is_stream(const fs::path& path) {
 }
 
 constexpr int most_links = 40;  // as many as Linux follows
-constexpr std::size_t longest_stem =
-    224;  // leaves room for what unfinished_path() adds; names have 255 bytes
+// Of the 255 bytes that names have: leaves room for what file_beside() adds.
+constexpr std::size_t longest_stem = 224;
 
 /// Throws InputError on failure; a partly written file stays.
 void write_bytes(const fs::path& to, std::span<const std::byte> bytes, const fs::path& named) {
@@ -100,10 +100,14 @@ fs::path followed_links(const fs::path& path) {
   return at;
 }
 
-std::string unfinished_stem(const fs::path& path) { return path.filename().string().substr(0, longest_stem); }
+std::string file_stem(const fs::path& path) { return path.filename().string().substr(0, longest_stem); }
+
+fs::path file_beside(const fs::path& path, std::string_view ending) {
+  return path.parent_path() / (file_stem(path) + std::string(ending));
+}
 
 fs::path unfinished_path(const fs::path& path, unsigned number) {
-  return path.parent_path() / fmt::format("{}.{}.{}.part", unfinished_stem(path), ::getpid(), number);
+  return file_beside(path, fmt::format(".{}.{}.part", ::getpid(), number));
 }
 
 std::string ending_of(const fs::path& path) {

@@ -32,11 +32,13 @@ void check_writable(const std::filesystem::path& path);
 /// InputError if links go round in circles.
 std::filesystem::path followed_links(const std::filesystem::path& path);
 
-/// Returns the name of a file that is not yet whole, "STEM.PID.NUMBER.part" beside it: process and number
+/// Returns the name of a file, cut where it is too long to have anything added.
+std::string file_stem(const std::filesystem::path& path);
+/// Returns the name of a file that belongs to another and lies beside it: its file_stem(), then `ending`.
+std::filesystem::path file_beside(const std::filesystem::path& path, std::string_view ending);
+/// Returns the name of a file that is not yet whole, ".PID.NUMBER.part" beside it: process and number
 /// separate two runs, or two threads, that write the same name.
 std::filesystem::path unfinished_path(const std::filesystem::path& path, unsigned number);
-/// Returns the STEM of that: the file's name, cut where it is too long to have anything added.
-std::string unfinished_stem(const std::filesystem::path& path);
 
 /// Returns the ending of a name in small letters, with its dot: ".png" for "A.PNG".
 std::string ending_of(const std::filesystem::path& path);

@@ -83,7 +83,7 @@ VkImageView make_view(Device& device, VkImage image, const TextureDesc& desc, Vk
   info.viewType = type;
   info.format = desc.format;
   info.subresourceRange = range;
-  // What is rendered into has its channels as they are.
+  // Views to render into have the channels as they are.
   if (desc.grey_alpha && type == VK_IMAGE_VIEW_TYPE_2D_ARRAY)
     info.components = {VK_COMPONENT_SWIZZLE_R, VK_COMPONENT_SWIZZLE_R, VK_COMPONENT_SWIZZLE_R,
                        VK_COMPONENT_SWIZZLE_G};

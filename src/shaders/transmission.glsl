@@ -33,8 +33,8 @@ struct FirstSurfaces {
   bool shaded;
 };
 
-// What enters is decided per texel: light that meets the back of a surface, as it does inside a bust or a
-// mask, lets none in, and its depth, often that of the very point that is lit, must not be mixed with others.
+// Each texel decides whether light enters: the back of a surface, which light meets inside a bust or a mask,
+// lets none in, and its depth, often that of the very point that is lit, must not be mixed with others.
 // Nothing is read where the surface faces the light, as in look_beside().
 FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
   const vec2 f = m.between, size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);

@@ -31,10 +31,6 @@ using frame::Together;
 
 namespace {
 
-VkFormat entering_format(const FrameSettings& s) {
-  return s.all_enters ? passes::facing_format : passes::entering_format;
-}
-
 // Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
 // need not be finer than those. Within a factor of 1.5 a pass of their own would save neither time nor
 // memory: they are drawn with the shadow maps then, and as large.
@@ -89,7 +85,7 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
     gpu::TextureDesc entering = shadow;
     entering.width = entering.height = entering_size(settings);
     if (of_host || entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);
-    entering.format = entering_format(settings);
+    entering.format = settings.all_enters ? passes::facing_format : passes::entering_format;
     entering.grey_alpha = settings.all_enters;
     entering_ = plan.texture("entering maps", entering, lasts);
   }
@@ -248,8 +244,7 @@ void Screen::add_shadows(const Batch& batch) {
   passes::Shadow::Settings shadow{.first_instance = batch.first_head,
                                   .instances = batch.heads,
                                   .layers = std::max(settings_.shadow_layers, 1u),
-                                  .host_maps = settings_.host && settings_.host->shadows,
-                                  .stored = entering_format(settings_)};
+                                  .host_maps = settings_.host && settings_.host->shadows};
   const bool apart = entering_depth_.valid();
   plan_->add<passes::Shadow>(label("shadow", settings_, batch),
                              {shadow_, apart ? frame::TextureId{} : entering_}, shadow);

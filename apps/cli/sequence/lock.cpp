@@ -15,7 +15,7 @@
 namespace dermis::cli::sequence {
 namespace {
 
-// Whether the name still leads to the open file: its holder may have removed it in between.
+// Returns whether the name still leads to the open file: its holder may have removed it in between.
 bool is_at(const std::filesystem::path& path, int file) {
   struct stat opened {
   }, named{};
@@ -25,8 +25,7 @@ bool is_at(const std::filesystem::path& path, int file) {
 
 }  // namespace
 
-PatternLock::PatternLock(const std::filesystem::path& pattern)
-    : path_(pattern.parent_path() / (unfinished_stem(pattern) + ".lock")) {
+PatternLock::PatternLock(const std::filesystem::path& pattern) : path_(file_beside(pattern, ".lock")) {
   while (file_ < 0) {
     file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0) throw input_error(path_.string(), "cannot be written: {}", std::strerror(errno));

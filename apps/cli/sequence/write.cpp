@@ -64,8 +64,8 @@ void clean_up(const FramePattern& pattern, const Record& record, std::size_t cou
   std::set<std::string> names;
   const auto is_ours = [&](const std::string& name) {
     if (names.empty()) {
-      names.insert(unfinished_stem(record.path()));
-      for (std::size_t i = 0; i < count; ++i) names.insert(unfinished_stem(pattern.path(i)));
+      names.insert(file_stem(record.path()));
+      for (std::size_t i = 0; i < count; ++i) names.insert(file_stem(pattern.path(i)));
     }
     return names.contains(name);
   };
@@ -143,9 +143,7 @@ void save_sheet(const SequenceArguments& a, const FramePattern& pattern, std::si
 Written write_pictures(const SequenceArguments& a, const Timeline& timeline, SceneSource& scenes) {
   const FramePattern pattern(a.output);
   const std::size_t count = timeline.frames();
-  const std::filesystem::path output(a.output);
-  Record record(output.parent_path() / (unfinished_stem(output) + ".resume"),
-                fingerprint_of(a, timeline, scenes));
+  Record record(file_beside(a.output, ".resume"), fingerprint_of(a, timeline, scenes));
   clean_up(pattern, record, count);
   if (a.resume) record.load();
   const std::vector<std::size_t> to_do = frames_to_do(record, pattern, count);

@@ -9,7 +9,10 @@ namespace dermis::passes {
 Shadow::Out Shadow::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   d.depth(in.shadow);
-  if (in.entering.valid()) d.colour(in.entering);
+  if (in.entering.valid()) {
+    d.colour(in.entering);
+    stored_ = d.desc(in.entering).format;
+  }
   return {in.shadow};
 }
 
@@ -29,8 +32,8 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
           desc.constants.emplace_back("skin", skin ? 1u : 0u);
           desc.constants.emplace_back("cut_out", cut_out ? 1u : 0u);
           desc.constants.emplace_back("mixed", mixed ? 1u : 0u);
-          desc.constants.emplace_back("facing", settings.stored == facing_format ? 1u : 0u);
-          desc.colour_formats = {settings.stored};
+          desc.constants.emplace_back("facing", stored_ == facing_format ? 1u : 0u);
+          desc.colour_formats = {stored_};
         }
 
         pipelines_[skin][cut_out][mixed] = &library.graphics(desc);

@@ -12,7 +12,7 @@
 namespace dermis::passes {
 
 inline constexpr VkFormat entering_format = VK_FORMAT_R8G8B8A8_UNORM;
-/// Of maps where the mix of all skin is 0: all light enters, if it meets the front. Read as (R, R, R, G).
+/// For maps where the mix of all skin is 0: all light enters, if it meets the front. Read as (R, R, R, G).
 inline constexpr VkFormat facing_format = VK_FORMAT_R8G8_UNORM;
 
 class Shadow {
@@ -23,13 +23,12 @@ class Shadow {
     /// Entering light is drawn separately, smaller than the depth map: geometry is enlarged by a texel along
     /// its normals, so that each point of the depth map finds an entry.
     bool grown = false;
-    bool host_maps = false;             ///< some layers come from a host: Instance::host_shadows
-    VkFormat stored = entering_format;  ///< or facing_format
+    bool host_maps = false;  ///< some layers come from a host: Instance::host_shadows
   } settings;
   struct In {
     frame::TextureId shadow;  ///< D32, square; layers of a head begin at Instance::first_shadow_layer
-    /// Of the same size and layers: square root of the part that enters (albedo^mix of the front of skin, 0
-    /// elsewhere), alpha 1 where there is something.
+    /// entering_format or facing_format, the same size and layers: square root of the part that enters
+    /// (albedo^mix of the front of skin, 0 elsewhere), alpha 1 where there is something.
     frame::TextureId entering = {};  ///< not valid: not stored
   } in;
   struct Out {
@@ -51,6 +50,7 @@ class Shadow {
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
   const gpu::Pipeline* host_map_ = nullptr;
   VkSampler nearest_ = VK_NULL_HANDLE;
+  VkFormat stored_ = VK_FORMAT_UNDEFINED;  // of what enters
 };
 
 }  // namespace dermis::passes

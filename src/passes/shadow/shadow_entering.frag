@@ -25,6 +25,7 @@ void main() {
   out_entering = vec4(vec3(enters ? 1.0 : 0.0), 1.0);
   if (facing) out_entering.g = 1.0;
   if (!cut_out && !(skin && mixed)) return;
+
   const MapIo map = material.maps[MAP_BASE_COLOUR];
   const vec2 uv = map.uv_set == 0u ? in_uv0 : in_uv1;
   vec4 colour = material.base_colour * in_colour;

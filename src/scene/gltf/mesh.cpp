@@ -49,6 +49,7 @@ class Source {
     std::iota(all.begin(), all.end(), 0u);
     return all;
   }
+
   std::vector<float> attribute(const std::string& name, int components,
                                const std::vector<std::uint32_t>& order) {
     const auto found = primitive_.attributes.find(name);
@@ -58,6 +59,7 @@ class Source {
       return gather(std::move(compressed->second), components, order);
     return gather(bytes_.floats(found->second), components, order);
   }
+
   /// The same, with `otherwise` in place of what is not finite.
   std::vector<float> finite_or(float otherwise, const std::string& name, int components,
                                const std::vector<std::uint32_t>& order) {

@@ -300,6 +300,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
       const auto place_in_mesh = static_cast<int>(&primitive - mesh.primitives.data());
       const About about{materials.of.at(primitive.material), n, first_sources[n] + place_in_mesh};
       const bool skin = materials.skin[static_cast<std::size_t>(about.material)];
+
       if (several && !read.contains(&primitive))
         read.emplace(&primitive, read_mesh(document, bytes, primitive));
       if (several && rigid && !skin) {
@@ -319,6 +320,7 @@ Placed place_meshes(const Document& document, Bytes& bytes, const MaterialNumber
         add_placement(document, primitive, mine, frames.of_node(), n, placed.primitives[mine.primitive]);
         continue;
       }
+
       LocalMesh local = several ? read.at(&primitive) : read_mesh(document, bytes, primitive);
       if (local.indices.empty()) continue;
       frames.repair_weights(local, primitive);
