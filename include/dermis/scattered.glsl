@@ -11,8 +11,9 @@
 //
 // record: HostFrames::record_of(); uv: TEXCOORD_0 of the asset as it is, interpolated `centroid` where there
 // are several samples per pixel. The host adds reflections, and takes from the diffuse light what these keep:
-// 1 minus the directional albedo of the specular. dermis's own: 0.18 times the Kelemen and Szirmay-Kalos lobe
-// (GPU Gems 3, chapter 14). mix_before: that of the material, dermis's default is 0.5.
+// 1 minus the directional albedo of the specular. dermis's own: 0.18 pi times Beckmann's lobe with Schlick's
+// Fresnel and Smith's masking, correlated by height (Walter et al., EGSR 2007; Heitz, JCGT 3(2), 2014).
+// mix_before: that of the material, dermis's default is 0.5.
 #ifndef DERMIS_SCATTERED_GLSL
 #define DERMIS_SCATTERED_GLSL
 #extension GL_EXT_scalar_block_layout : require

@@ -23,16 +23,22 @@ std::array<double, samples_phi> make_cosines() {
 
 }  // namespace
 
-DirectionalAlbedo directional_albedo(double cosine, double m) {
+double cosine_lambda(double cosine, double m) {
+  const double t = m * std::sqrt(std::max(1 - cosine * cosine, 1e-8));
+  const double a = cosine / t;
+  return a < 1.6 ? t * (1 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0;
+}
+
+DirectionalAlbedo directional_albedo(double cosine, double m, Masking masking) {
   static const std::array<double, samples_phi> cosines_phi = make_cosines();
   const double c = std::clamp(cosine, 1e-3, 1.0);
-  const double s = std::sqrt(1 - c * c);
+  const double s = std::sqrt(1 - c * c), lambda_v = cosine_lambda(c, m);
   DirectionalAlbedo sum;
 
   for (int i = 0; i < samples_theta; ++i) {
-    // Half vector by inversion of Beckmann's distribution, tan^2 = -m^2 ln(1 - u), with pdf_h = D cos_h / pi:
-    // D of [KSK01] is not divided by pi. Then pdf_l = pdf_h / (4 v.h) and f = D F / (4 (v.h)^2), so that a
-    // sample counts f cos_l / pdf_l = pi F cos_l / (v.h cos_h).
+    // Half vector by inversion of Beckmann's distribution, tan^2 = -m^2 ln(1 - u), with pdf_h = D cos_h / pi,
+    // because D is not divided by pi. Then pdf_l = pdf_h / (4 v.h), and a sample counts f cos_l / pdf_l:
+    // pi F v.h G / (cos_v cos_h) by Smith and, as h.h is 4 (v.h)^2, pi F cos_l / (v.h cos_h) by [KSK01].
     const double u = (i + 0.5) / samples_theta;
     const double tan2 = -m * m * std::log(1 - u);
     const double cos_h = 1 / std::sqrt(1 + tan2), sin_h = std::sqrt(std::max(0.0, 1 - cos_h * cos_h));
@@ -45,7 +51,10 @@ DirectionalAlbedo directional_albedo(double cosine, double m) {
 
       // Splits Schlick's F = f0 (1 - x) + x into the part that f0 scales and the rest.
       const double y = 1 - v_h, x = y * y * y * y * y;
-      const double weight = std::numbers::pi * cos_l / (v_h * cos_h);
+      const double unmasked = masking == Masking::smith
+                                  ? v_h * cos_l / (c * cos_l + cos_l * lambda_v + c * cosine_lambda(cos_l, m))
+                                  : cos_l / v_h;
+      const double weight = std::numbers::pi * unmasked / cos_h;
       sum.of_f0 += weight * (1 - x);
       sum.rest += weight * x;
     }
@@ -55,12 +64,12 @@ DirectionalAlbedo directional_albedo(double cosine, double m) {
   return {sum.of_f0 / count, sum.rest / count};
 }
 
-DirectionalAlbedo mean_directional_albedo(double m) {
+DirectionalAlbedo mean_directional_albedo(double m, Masking masking) {
   constexpr int steps = 64;
   DirectionalAlbedo mean;
   for (int i = 0; i < steps; ++i) {
     const double mu = (i + 0.5) / steps;
-    const DirectionalAlbedo a = directional_albedo(mu, m);
+    const DirectionalAlbedo a = directional_albedo(mu, m, masking);
     mean.of_f0 += 2 * mu * a.of_f0 / steps;
     mean.rest += 2 * mu * a.rest / steps;
   }
@@ -70,18 +79,25 @@ DirectionalAlbedo mean_directional_albedo(double m) {
 namespace {
 
 std::vector<float> make_table() {
-  constexpr int width = directional_albedo_columns + 2;
-  std::vector<float> table(static_cast<std::size_t>(width) * directional_albedo_rows * 2);
+  constexpr std::size_t width = directional_albedo_columns + 2, channels = directional_albedo_channels;
+  std::vector<float> table(width * directional_albedo_rows * channels);
   parallel_for(directional_albedo_rows, [&](std::size_t row) {
     const double m = directional_albedo_min_m + (1 - directional_albedo_min_m) * static_cast<double>(row) /
                                                     (directional_albedo_rows - 1);
-    for (int column = 0; column < width; ++column) {
-      const DirectionalAlbedo a =
-          column < directional_albedo_columns
-              ? directional_albedo(static_cast<double>(column) / (directional_albedo_columns - 1), m)
-              : mean_directional_albedo(m);
-      table[(row * width + static_cast<std::size_t>(column)) * 2] = static_cast<float>(a.of_f0);
-      table[(row * width + static_cast<std::size_t>(column)) * 2 + 1] = static_cast<float>(a.rest);
+    float* entries = &table[row * width * channels];
+
+    std::size_t channel = 0;
+    for (const Masking masking : {Masking::smith, Masking::kelemen_szirmay_kalos}) {
+      const auto put = [&](std::size_t column, DirectionalAlbedo a) {
+        entries[column * channels + channel] = static_cast<float>(a.of_f0);
+        entries[column * channels + channel + 1] = static_cast<float>(a.rest);
+      };
+      for (std::size_t i = 0; i < directional_albedo_columns; ++i)
+        put(i, directional_albedo(static_cast<double>(i) / (directional_albedo_columns - 1), m, masking));
+      const DirectionalAlbedo mean = mean_directional_albedo(m, masking);
+      put(directional_albedo_columns, mean);
+      put(directional_albedo_columns + 1, mean);
+      channel += 2;
     }
   });
   return table;

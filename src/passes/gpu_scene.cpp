@@ -129,14 +129,14 @@ std::vector<std::uint16_t> halves_of(std::span<const std::uint8_t> rgba) {
   return halves;
 }
 
-// Uploads the table of the directional albedo as RG16F.
+// Uploads the table of the directional albedo as RGBA16F.
 gpu::Texture upload_directional_albedo(gpu::Device& device) {
   std::vector<std::uint16_t> halves;
   for (const float value : optics::directional_albedo_table()) halves.push_back(image::float_to_half(value));
   gpu::Texture texture(device, "directional_albedo",
                        {.width = optics::directional_albedo_columns + 2,
                         .height = optics::directional_albedo_rows,
-                        .format = VK_FORMAT_R16G16_SFLOAT,
+                        .format = VK_FORMAT_R16G16B16A16_SFLOAT,
                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT});
   gpu::upload(device, texture, std::as_bytes(std::span(halves)));
   return texture;

@@ -172,7 +172,7 @@ class GpuScene {
   gpu::Buffer unmoved;                                  ///< PlacementIo: skin's vertices are in the world
   const gpu::Texture& white() const { return white_; }  ///< one white texel
   const gpu::Texture& white_layers() const { return white_layers_; }  ///< likewise, as an array
-  gpu::Texture directional_albedo;  ///< RG16F, see optics/directional_albedo.h
+  gpu::Texture directional_albedo;  ///< RGBA16F, see optics/directional_albedo.h
 
  private:
   const gpu::Texture& texture(gpu::PipelineLibrary& library, const scene::Scene& scene, int image, bool srgb);

@@ -21,14 +21,16 @@ double beckmann(double n_h, double m) {
   return std::exp(-(1 - c2) / (c2 * m * m)) / (m * m * c2 * c2);
 }
 
-/// [KSK01] eq. 6 with Schlick's Fresnel.
-double kelemen(const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l, double m, double f0) {
+/// D F G / (4 n.l n.v) with Schlick's Fresnel, and G by Smith, correlated by height: [Hei14] eq. 99.
+double specular_lobe(const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l, double m, double f0) {
   const glm::dvec3 h_raw = l + v;
   const double h2 = glm::dot(h_raw, h_raw);
   if (h2 < 1e-8) return 0;
   const glm::dvec3 h = h_raw / std::sqrt(h2);
   const double x = std::pow(std::clamp(1 - glm::dot(v, h), 0.0, 1.0), 5);
-  return beckmann(std::max(glm::dot(n, h), 0.0), m) * (f0 + (1 - f0) * x) / h2;
+  const double n_v = std::max(glm::dot(n, v), 1e-4), n_l = std::max(glm::dot(n, l), 1e-4);
+  const double masked = n_l * n_v + n_l * optics::cosine_lambda(n_v, m) + n_v * optics::cosine_lambda(n_l, m);
+  return beckmann(std::max(glm::dot(n, h), 0.0), m) * (f0 + (1 - f0) * x) / (4 * masked);
 }
 
 /// Returns the probability of the first lobe.
@@ -40,8 +42,8 @@ double share_of_first(const SkinSpecular& s) {
 }  // namespace
 
 double specular_brdf(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l) {
-  return s.rho_s *
-         (s.weight[0] * kelemen(n, v, l, s.m[0], s.f0) + s.weight[1] * kelemen(n, v, l, s.m[1], s.f0));
+  return s.rho_s * (s.weight[0] * specular_lobe(n, v, l, s.m[0], s.f0) +
+                    s.weight[1] * specular_lobe(n, v, l, s.m[1], s.f0));
 }
 
 glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, Random& random) {
@@ -79,9 +81,9 @@ double ReflectanceTable::lookup(const SkinSpecular& s, double column) const {
     const double ry = row - static_cast<double>(r0);
     const std::size_t r1 = std::min<std::size_t>(r0 + 1, directional_albedo_rows - 1);
 
-    // Each entry holds a factor of F0 and an addend.
+    // Each entry begins with a factor of F0 and an addend.
     const auto rho = [&](std::size_t r, std::size_t c) {
-      const std::size_t i = 2 * (r * (directional_albedo_columns + 2) + c);
+      const std::size_t i = optics::directional_albedo_channels * (r * (directional_albedo_columns + 2) + c);
       return s.f0 * table_[i] + table_[i + 1];
     };
     const auto along = [&](std::size_t r) {

@@ -2,8 +2,9 @@
 // The two specular lobes of skin.
 // Based on:
 // [DLE07] GPU Gems 3, ch. 14.3
-// [KSK01] Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF Model. Eurographics 2001.
-//         The lobe is pi times a normalised Beckmann lobe; rho_s = 0.18 goes with that.
+// [WMLT07] Walter et al.: Microfacet Models for Refraction through Rough Surfaces. EGSR 2007
+// [Hei14] Heitz: Understanding the Masking-Shadowing Function. JCGT 3(2), 2014
+// The lobe is pi times a normalised Beckmann lobe; rho_s = 0.18 goes with that.
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ glm::dvec3 lobe_drawn(const SkinSpecular& s, const glm::dvec3& n, const glm::dve
 /// Returns the density of lobe_drawn() per steradian.
 double lobe_density(const SkinSpecular& s, const glm::dvec3& n, const glm::dvec3& v, const glm::dvec3& l);
 
-/// The directional albedo of the lobes, tabulated (optics/directional_albedo.h).
+/// The directional albedo of the lobes, tabulated (optics/directional_albedo.h, masking by Smith).
 class ReflectanceTable {
  public:
   ReflectanceTable();

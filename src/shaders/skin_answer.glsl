@@ -24,8 +24,8 @@ vec3 emitted(ShadingPoint s) {
 
 // Returns the environment in both lobes, by their directional albedo. Where skin occludes it, the lobe
 // reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
-// and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the mean of
-// [KSK01]'s lobe, m = 0.1 to 0.4.
+// and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the lobe's
+// mean, m = 0.1 to 0.4.
 vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, SkinView view, SkinSpecular spec, vec3 skin) {
   const vec3 n = view.n, v = view.to_eye;
   const float n_v = dot(n, v), all = specular_albedo(directional_albedo, spec, n_v),
@@ -42,8 +42,8 @@ vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, SkinView view, SkinSpecu
   vec3 lobe[2];
   for (int k = 0; k < 2; ++k) {
     albedo[k] = spec.weight[k] * directional_albedo_lookup(directional_albedo, n_v, spec.m[k], spec.f0);
-    const float slope = spec.m[k] * sqrt(max(n_v, 0.0));
-    const vec3 towards = normalize(mirrored + n * (0.9 * spec.m[k] * pow(1.0 - n_v, 4.0)));
+    const float slope = spec.m[k] * sqrt(max(n_v, lobe_least_cosine));
+    const vec3 towards = normalize(mirrored + n * (lobe_bend * spec.m[k] * pow(1.0 - n_v, 4.0)));
     lobe[k] = mix(skin, surroundings_radiance(towards, slope),
                   sky_in_lobe(sky, open, towards, slope) * above * above);
   }

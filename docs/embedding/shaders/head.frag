@@ -23,21 +23,27 @@ const float strength = 0.18, f0 = 0.028;  // of the reflection; skin has an inde
 const float mix_before = 0.5;  // dermis's default: half of the albedo acted before the light spread
 
 // Returns the radiance that is reflected per irradiance on a surface that faces the light: Beckmann's lobe,
-// with Schlick's Fresnel. Based on: Kelemen, Szirmay-Kalos: A Microfacet Based Coupled Specular-Matte BRDF
-// Model, EG 2001, eq. 6.
+// with Schlick's Fresnel and Smith's masking, correlated by height. Based on: Walter et al.: Microfacet
+// Models for Refraction through Rough Surfaces, EGSR 2007, eq. 27.
+float cosine_lambda(float cosine, float slope) {
+  const float t = slope * sqrt(max(1.0 - cosine * cosine, 1e-8)), a = cosine / t;
+  return a < 1.6 ? t * (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0.0;
+}
 float reflected(vec3 n, vec3 v, vec3 l, float slope) {
-  const vec3 h_raw = l + v, h = normalize(h_raw);
+  const vec3 h = normalize(l + v);
   const float n_h2 = max(dot(n, h), 1e-3) * max(dot(n, h), 1e-3), slope2 = slope * slope;
   const float lobe = exp(-(1.0 - n_h2) / (n_h2 * slope2)) / (slope2 * n_h2 * n_h2);
   const float fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(v, h), 0.0), 5.0);
-  return strength * lobe * fresnel / dot(h_raw, h_raw) * max(dot(n, l), 0.0);
+  const float n_v = max(dot(n, v), 1e-3), n_l = max(dot(n, l), 1e-3);
+  const float masked = n_l * n_v + n_l * cosine_lambda(n_v, slope) + n_v * cosine_lambda(n_l, slope);
+  return strength * lobe * fresnel / (4.0 * masked) * max(dot(n, l), 0.0);
 }
 
 void main() {
   const vec3 n = normalize(normal), v = normalize(eye_m.xyz - position_m);
 
   // What the reflection sends back does not come out of the skin: its share of light from this direction.
-  const float kept = 1.0 - (0.015 + 0.26 * pow(1.0 - max(dot(n, v), 0.0), 4.5));
+  const float kept = 1.0 - (0.016 + 0.16 * pow(1.0 - max(dot(n, v), 0.0), 3.6));
   const vec3 diffuse = dermis_scattered(record, uv) * pow(albedo.rgb, vec3(1.0 - mix_before)) * kept;
 
   const float slope = 0.85 * albedo.w * albedo.w;  // between dermis's two lobes, 0.75 and 1.3

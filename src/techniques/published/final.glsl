@@ -11,6 +11,7 @@ layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_colour;
 layout(location = 8) in float in_plane_m;  // plane_distance()
 layout(location = 0) out vec4 out_radiance;
+#include "techniques/published/lobe.glsl"
 #include "shaders/skin_answer.glsl"
 #include "shared/gutters_io.h"
 #ifdef THROUGH

@@ -5,6 +5,7 @@
 // chart, so that no convolution reads a neighbouring chart by mistake.
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
+#include "techniques/published/lobe.glsl"
 #include "shaders/skin_point.glsl"
 #include "shaders/skin_lights.glsl"
 #if GROUPS > 0

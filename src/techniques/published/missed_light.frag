@@ -4,6 +4,7 @@
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"
+#include "techniques/published/lobe.glsl"
 #include "shaders/skin_point.glsl"
 #include "shaders/skin_lights.glsl"
 #include "shaders/skin_through.glsl"
