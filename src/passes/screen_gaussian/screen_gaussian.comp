@@ -96,7 +96,7 @@ vec3 blurred(Middle m, float sigma_mm) {
 // Returns the light between four pixels, of those that are skin; `none` where hardly one is.
 vec3 any_light(vec2 pixels, vec3 none) {
   const vec4 found = textureLod(light, in_area(pixels) / vec2(io.extent), 0.0);
-  return found.a < 1e-4 ? none : found.rgb / found.a;
+  return found.a >= 1e-4 ? found.rgb / found.a : none;  // none for NaN, too
 }
 
 // [JSG09] and the authors' demo: seven taps one sigma apart, narrower by the depth gradient along the axis

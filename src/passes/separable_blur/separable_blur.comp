@@ -25,7 +25,7 @@ layout(binding = 7, rgba16f) uniform writeonly image2D target;
 // Returns the light between the pixels around a point, of those that are skin; `none` where hardly one is.
 vec3 light_at(vec2 pixels, vec3 none) {
   const vec4 found = textureLod(light, pixels / vec2(io.extent), 0.0);
-  return found.a < 1e-4 ? none : found.rgb / found.a;
+  return found.a >= 1e-4 ? found.rgb / found.a : none;  // none for NaN, too
 }
 
 // Returns whether no skin of another head is among the four pixels around a point.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Skin that is shaded in compute and composed into the targets of a host.
+#include <fmt/format.h>
+
 #include "frame.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/settings.h"
 #include "support/thrown.h"
+#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -161,6 +164,36 @@ TEST_F(EmbeddedCompute, EveryTechniqueDrawsItsPicture) {
     const double psnr = psnr_db(found, rendered(scene, settings));
     std::printf("%s: PSNR %.1f dB\n", way.technique.c_str(), psnr);
     EXPECT_GE(psnr, 60);
+  }
+}
+
+// Blurs of the picture read nothing beside the part that no pass of theirs has written, wherever it begins,
+// and where the head goes on beyond it.
+TEST_F(EmbeddedCompute, BlursReadNothingBesideTheirPartOfAnImage) {
+  constexpr VkExtent2D whole{side + 37, side + 21};
+  Scene near(Asset::built_in());
+  near.set_transform(near.instances().front(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0.1, 1});
+  for (const WayToShade& way : all_ways()) {
+    if (!techniques::find_technique(way.technique).screen_space) continue;
+    Frame::Setup setup = setup_of({}, whole);
+    Frame clean(setup);
+    setup.poisoned = true;
+    Frame poisoned(setup);
+    RenderSettings settings = in_compute();
+    settings.technique = way.technique;
+    settings.quality.blur_resolution = way.resolution;
+    settings.quality.kernel = way.kernel;
+
+    for (const Scene& scene : {turned_head(), near})
+      for (const VkOffset2D low : {VkOffset2D{31, 13}, VkOffset2D{0, 0}}) {
+        SCOPED_TRACE(fmt::format("{}, from {}, {}", way.technique, low.x, low.y));
+        const VkRect2D area{low, {side, side}};
+        for (Frame* frame : {&clean, &poisoned}) {
+          frame->frames->update(scene, settings);
+          frame->draw({}, area);
+        }
+        EXPECT_EQ(part_of(poisoned.colour(), area).rgba, part_of(clean.colour(), area).rgba);
+      }
   }
 }
 

@@ -102,9 +102,36 @@ double psnr_of_all_db(const Pixels& a, const Pixels& b) {
   return -10 * std::log10(std::max(sum / static_cast<double>(a.rgba.size()), 1e-12));
 }
 
+namespace {
+
+/// Hands out the first kind of memory that suits, all bits of it 1: no number as float or half.
+vulkan::MemoryCallbacks poisoned_memory(const Host& host) {
+  const VkDevice device = host.vulkan().device;
+  return {.allocate = [&host,
+                       device](const vulkan::MemoryRequest& request) -> std::optional<vulkan::MemoryRange> {
+            VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+            info.allocationSize = request.requirements.size;
+            while (!(request.requirements.memoryTypeBits >> info.memoryTypeIndex & 1u))
+              ++info.memoryTypeIndex;
+            vulkan::MemoryRange range;
+            if (host.vk().vkAllocateMemory(device, &info, nullptr, &range.memory) != VK_SUCCESS) return {};
+            if (host.vk().vkMapMemory(device, range.memory, 0, VK_WHOLE_SIZE, 0, &range.mapped) == VK_SUCCESS)
+              std::memset(range.mapped, 0xff, request.requirements.size);
+            return range;
+          },
+          .free =
+              [&host, device](const vulkan::MemoryRange& range) {
+                host.vk().vkFreeMemory(device, range.memory, nullptr);
+              }};
+}
+
+}  // namespace
+
 Frame::Frame(const Setup& setup) : setup_(setup) {
   if (setup_.room) setup_.options.picture->largest = setup_.extent;
-  renderer.emplace(host.vulkan());
+  vulkan::Host device = host.vulkan();
+  if (setup_.poisoned) device.memory = poisoned_memory(host);
+  renderer.emplace(device);
   frames.emplace(*renderer, setup_.options);
   const vulkan::PictureTargets targets = setup_.options.picture.value_or(vulkan::PictureTargets{});
   colour_image =

@@ -57,7 +57,8 @@ class Frame {
   struct Setup {
     vulkan::HostFrames::Options options{.picture = vulkan::PictureTargets{}};
     VkExtent2D extent{side, side};
-    bool room = false;  ///< to shade in compute
+    bool room = false;      ///< to shade in compute
+    bool poisoned = false;  ///< memory of the device begins as no number, where the host can write it
   };
   Frame() : Frame(Setup{}) {}
   explicit Frame(const Setup& setup);
