@@ -2,7 +2,10 @@
 #include "gpu/memory.h"
 
 #include <algorithm>
+#include <map>
 #include <new>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "core/assert.h"
@@ -12,6 +15,69 @@
 
 namespace dermis::gpu {
 
+namespace {
+
+/// Unused ranges of a block, none beside another. A search does not walk over those that are too small:
+/// thousands of buffers leave a remnant between any two of them.
+class FreeRanges {
+ public:
+  using Range = std::pair<std::uint64_t, std::uint64_t>;  ///< offset, bytes
+
+  void add(std::uint64_t offset, std::uint64_t bytes) {
+    by_size_.emplace(bytes, offset);
+    by_offset_.emplace(offset, bytes);
+  }
+  void remove(const Range& range) {
+    by_size_.erase({range.second, range.first});
+    by_offset_.erase(range.first);
+  }
+  /// Returns one of the smallest that hold so many bytes at a multiple of `alignment`.
+  std::optional<Range> holding(std::uint64_t bytes, std::uint64_t alignment) const;
+  /// Adds a range and merges it with its neighbours.
+  void give_back(std::uint64_t offset, std::uint64_t bytes);
+  bool is_whole(std::uint64_t bytes) const {
+    return by_offset_.size() == 1 && by_offset_.begin()->second == bytes;
+  }
+
+ private:
+  std::map<std::uint64_t, std::uint64_t> by_offset_;           ///< -> bytes
+  std::set<std::pair<std::uint64_t, std::uint64_t>> by_size_;  ///< bytes, offset
+};
+
+std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) {
+  return (offset + alignment - 1) / alignment * alignment;
+}
+
+std::optional<FreeRanges::Range> FreeRanges::holding(std::uint64_t bytes, std::uint64_t alignment) const {
+  constexpr int most_tried = 8;  // of those that hold it only if they begin at the right place
+  auto at = by_size_.lower_bound({bytes, 0});
+  for (int i = 0; i < most_tried && at != by_size_.end(); ++i, ++at)
+    if (align_up(at->second, alignment) + bytes <= at->second + at->first)
+      return Range(at->second, at->first);
+  at = by_size_.lower_bound({bytes + alignment - 1, 0});
+  if (at == by_size_.end()) return std::nullopt;
+  return Range(at->second, at->first);
+}
+
+void FreeRanges::give_back(std::uint64_t offset, std::uint64_t bytes) {
+  Range merged(offset, bytes);
+  const auto next = by_offset_.lower_bound(offset);
+  if (next != by_offset_.begin()) {
+    const Range before = *std::prev(next);
+    if (before.first + before.second == offset) {
+      merged = {before.first, before.second + merged.second};
+      remove(before);
+    }
+  }
+  if (const auto after = by_offset_.find(offset + bytes); after != by_offset_.end()) {
+    merged.second += after->second;
+    remove(Range(*after));
+  }
+  add(merged.first, merged.second);
+}
+
+}  // namespace
+
 struct MemoryPool::Block {
   VkDeviceMemory memory = VK_NULL_HANDLE;
   std::uint32_t type = 0;
@@ -19,8 +85,8 @@ struct MemoryPool::Block {
   std::byte* mapped = nullptr;
   bool image = false;
   bool dedicated = false;
-  std::map<std::uint64_t, std::uint64_t> free;  ///< offset -> bytes; adjacent ranges are merged
-  bool is_empty() const { return free.size() == 1 && free.begin()->second == bytes; }
+  FreeRanges free;
+  bool is_empty() const { return free.is_whole(bytes); }
 };
 
 struct MemoryPool::Request {
@@ -31,14 +97,6 @@ struct MemoryPool::Request {
   VkImage image = VK_NULL_HANDLE;
   VkBuffer buffer = VK_NULL_HANDLE;
 };
-
-namespace {
-
-std::uint64_t align_up(std::uint64_t offset, std::uint64_t alignment) {
-  return (offset + alignment - 1) / alignment * alignment;
-}
-
-}  // namespace
 
 MemoryPool::MemoryPool(const DeviceTable& vk, VkDevice device,
                        const VkPhysicalDeviceMemoryProperties& properties, std::uint64_t max_allocation_bytes,
@@ -129,31 +187,30 @@ MemoryPool::Block* MemoryPool::new_block(const Request& request, std::uint32_t t
   block->bytes = bytes;
   block->image = request.image != VK_NULL_HANDLE;
   block->dedicated = dedicated;
-  block->free[0] = bytes;
+  block->free.add(0, bytes);
 
   heap_used_[heap] += bytes;
   return blocks_.emplace_back(std::move(block)).get();
 }
 
 std::unique_ptr<MemoryPool::Allocation> MemoryPool::place_in(Block& block, const Request& request) {
-  for (auto range = block.free.begin(); range != block.free.end(); ++range) {
-    const auto [start, bytes] = *range;
-    const std::uint64_t offset = align_up(start, request.needs.alignment);
-    const std::uint64_t end = offset + request.needs.size;
-    if (end > start + bytes) continue;
-    if (request.place != BufferPlace::device) map(block);
-    block.free.erase(range);
-    if (offset > start) block.free[start] = offset - start;
-    if (end < start + bytes) block.free[end] = start + bytes - end;
-    return std::make_unique<Allocation>(
-        Allocation{.memory = block.memory,
-                   .offset = offset,
-                   .bytes = request.needs.size,
-                   .mapped = request.place == BufferPlace::device ? nullptr : block.mapped + offset,
-                   .image = block.image,
-                   .block = &block});
-  }
-  return nullptr;
+  const auto range = block.free.holding(request.needs.size, request.needs.alignment);
+  if (!range) return nullptr;
+  if (request.place != BufferPlace::device) map(block);
+
+  const auto [start, bytes] = *range;
+  const std::uint64_t offset = align_up(start, request.needs.alignment);
+  const std::uint64_t end = offset + request.needs.size;
+  block.free.remove(*range);
+  if (offset > start) block.free.add(start, offset - start);
+  if (end < start + bytes) block.free.add(end, start + bytes - end);
+  return std::make_unique<Allocation>(
+      Allocation{.memory = block.memory,
+                 .offset = offset,
+                 .bytes = request.needs.size,
+                 .mapped = request.place == BufferPlace::device ? nullptr : block.mapped + offset,
+                 .image = block.image,
+                 .block = &block});
 }
 
 std::unique_ptr<MemoryPool::Allocation> MemoryPool::try_allocate(const Request& request,
@@ -263,22 +320,6 @@ MemoryPool::Allocation* MemoryPool::allocate_image(const std::string& name, VkIm
   return allocate({.name = name, .needs = needs.memoryRequirements, .dedicated = dedicated, .image = image});
 }
 
-// Merges the range with adjacent free ones.
-void MemoryPool::return_range(Block& block, std::uint64_t offset, std::uint64_t bytes) {
-  auto at = block.free.emplace(offset, bytes).first;
-  if (const auto next = std::next(at); next != block.free.end() && at->first + at->second == next->first) {
-    at->second += next->second;
-    block.free.erase(next);
-  }
-  if (at != block.free.begin()) {
-    const auto before = std::prev(at);
-    if (before->first + before->second == at->first) {
-      before->second += at->second;
-      block.free.erase(at);
-    }
-  }
-}
-
 void MemoryPool::free(Allocation* allocation) noexcept {
   const auto found = live_.find(allocation);
   if (!DERMIS_HOLDS(found != live_.end())) return;
@@ -292,7 +333,7 @@ void MemoryPool::free(Allocation* allocation) noexcept {
 
   Block& block = *allocation->block;
   try {
-    return_range(block, allocation->offset, allocation->bytes);
+    block.free.give_back(allocation->offset, allocation->bytes);
   } catch (const std::bad_alloc&) {
     // The range is lost until the block is freed with the pool.
   }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -61,7 +60,6 @@ class MemoryPool {
   Block* new_block(const Request& request, std::uint32_t type, std::uint64_t bytes, bool dedicated);
   std::unique_ptr<Allocation> place_in(Block& block, const Request& request);
   std::unique_ptr<Allocation> ask_host(const Request& request, const std::vector<std::uint32_t>& types);
-  static void return_range(Block& block, std::uint64_t offset, std::uint64_t bytes);
   std::vector<std::uint32_t> types_for(std::uint32_t allowed, BufferPlace place) const;
   void map(Block& block);
   void release(Block* block);
