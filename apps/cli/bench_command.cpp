@@ -244,7 +244,8 @@ void add_bench_command(CLI::App& app, int& exit_status) {
 
   // Of the paper's test, whatever the scene brings along.
   command->get_option("--lights")->description("lights of the rig: key, fill, rim, further ones");
-  command->get_option("--profile")->description("diffusion profile: a published name or a JSON file");
+  command->get_option("--profile")
+      ->description("diffusion profile: skin, a preset of `dermis profile`, or a JSON file");
   command->get_option("--fov")->description("vertical field of view, degrees")->default_str("20");
 
   add_cells(*command, *a);

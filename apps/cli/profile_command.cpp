@@ -222,7 +222,7 @@ void add_profile_command(CLI::App& app, int&) {
   command
       ->add_option("--compare", options->compare,
                    "published sum or profile file to draw and measure beside; up to 3 times")
-      ->type_name("skin|FILE")
+      ->type_name("NAME|FILE")
       ->allow_extra_args(false)
       ->default_str("");
   add_text(*command, "--export", options->exports.name, one_of(export_names()),

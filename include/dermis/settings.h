@@ -70,7 +70,7 @@ struct LightingSettings {
 
 /// Instead of what the scene's materials say.
 struct SkinSettings {
-  /// published name or file; empty: the material's, else the published six Gaussians
+  /// skin, a preset of profile.h, or a file; empty: the material's, else the published six Gaussians
   std::string profile{};
   bool normalise_profile = false;  ///< divide the weights of a profile file by their sum
   /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5

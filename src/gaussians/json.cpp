@@ -126,7 +126,7 @@ SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) return known(name_or_path);
   std::error_code error;
   if (!std::filesystem::exists(name_or_path, error)) {
-    throw input_error("", "profile '{}' is neither a file nor a published name; {}", name_or_path,
+    throw input_error("", "profile '{}' is neither a file nor a known name; {}", name_or_path,
                       listed_names(name_or_path, names));
   }
   return load_json(name_or_path, normalise, least);

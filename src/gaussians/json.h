@@ -33,7 +33,7 @@ SumOfGaussians load_json(const std::filesystem::path& path, bool normalise = fal
 /// All numbers must be finite.
 std::string to_json(const SumOfGaussians& sum);
 
-/// A published name, else a file. InputError lists the known names when it is neither.
+/// A name of known(), else a file. InputError lists the known names when it is neither.
 SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise = false,
                                  LeastVariance least = LeastVariance::above_zero);
 

@@ -5,8 +5,19 @@
 
 #include "core/error.h"
 #include "core/known_names.h"
+#include "gaussians/json.h"
 
 namespace dermis::gaussians {
+namespace {
+
+struct Preset {
+  std::string_view name, file;
+};
+constexpr Preset presets[] = {
+#include "gaussians/presets.inc"
+};
+
+}  // namespace
 
 // [DLE07] in GPU Gems 3 (2007), ch. 14 "Advanced Techniques for Realistic Real-Time Skin Rendering", table
 // 14-1: variance in mm^2, weights of red, green and blue, normalised to white. G(v, r) is that of sum.h.
@@ -20,10 +31,16 @@ SumOfGaussians skin_six() {
   return sum;
 }
 
-std::vector<std::string_view> known_names() { return {"skin"}; }
+std::vector<std::string_view> known_names() {
+  std::vector<std::string_view> names{"skin"};
+  for (const Preset& preset : presets) names.push_back(preset.name);
+  return names;
+}
 
 SumOfGaussians known(std::string_view name) {
   if (name == "skin") return skin_six();
+  for (const Preset& preset : presets)
+    if (name == preset.name) return parse_json(preset.file, std::string(name));
   throw input_error("", "profile {}", unknown_name(name, known_names()));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published sums of Gaussians, each with its source.
+// Sums of Gaussians that have a name, each with its source.
 #pragma once
 
 #include <string_view>
@@ -15,7 +15,8 @@ SumOfGaussians skin_six();
 
 /// Returns the names that known() takes, in the order in which errors list them.
 std::vector<std::string_view> known_names();
-/// Returns a published sum by name ("skin", ...); throws InputError (lists the names) if there is none.
+/// Returns a sum by name: "skin", or a medium that was measured ([JMLH01], [DJ05]; optics/presets.h), fitted
+/// as `dermis profile --preset` does and kept to six digits. InputError (lists the names) if there is none.
 SumOfGaussians known(std::string_view name);
 
 }  // namespace dermis::gaussians

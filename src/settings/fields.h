@@ -150,8 +150,8 @@ template <>
 inline constexpr auto fields_of<SkinSettings> = std::tuple{
     Field{"profile",
           &SkinSettings::profile,
-          {.help = "diffusion profile: a published name or a JSON file",
-           .values = "skin|FILE",
+          {.help = "diffusion profile: skin, a preset of `dermis profile`, or a JSON file",
+           .values = "NAME|FILE",
            .none = "the material's, else the published six Gaussians",
            .option = "profile",
            .common = true,

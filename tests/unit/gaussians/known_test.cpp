@@ -45,10 +45,13 @@ TEST(Known, SkinHasThePublishedMoments) {
 TEST(Known, EveryNameIsKnownAndOthersListThem) {
   for (const std::string_view name : known_names()) EXPECT_EQ(known(name).name, name);
   try {
-    known("marble");
+    known("basalt");
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "profile 'marble' is not known; there are: skin");
+    EXPECT_STREQ(
+        error.what(),
+        "profile 'basalt' is not known; there are: skin, apple, chicken1, chicken2, cream, ketchup, marble, "
+        "potato, skimmilk, skin1, skin2, spectralon, wholemilk, skin-layers");
   }
 }
 

@@ -258,7 +258,7 @@ TEST_F(ProfileCommand, WhatIsWrongIsSaidBeforeTheLongWork) {
     more.insert(more.begin(), long_work.begin(), long_work.end());
     return message_of(more);
   };
-  EXPECT_NE(refused({"--compare", path("none.json")}).find("neither a file nor a published name"),
+  EXPECT_NE(refused({"--compare", path("none.json")}).find("neither a file nor a known name"),
             std::string::npos);
   EXPECT_NE(refused({"-o", path("no/such/a.json")}).find("no/such"), std::string::npos);
   std::ofstream(path("file")) << "x";

@@ -44,6 +44,24 @@ ScatterProfile skin_by_photons(std::uint64_t photons, std::uint64_t seed = 1) {
       "skin1", {.gaussians = 4, .model = ProfileModel::monte_carlo, .photons = photons, .seed = seed});
 }
 
+// Frames take the presets by name, without a fit: they are kept to six digits.
+TEST(PublicProfile, PresetsAreProfilesByName) {
+  for (const std::string_view name : optics::preset_names())
+    EXPECT_EQ(load_profile(std::string(name)).name, name);
+
+  for (const char* name : {"marble", "skin1"}) {
+    const ScatterProfile kept = load_profile(name), made = profile_of_preset(name);
+    ASSERT_EQ(kept.variances_mm2.size(), made.variances_mm2.size()) << name;
+    for (std::size_t k = 0; k < made.variances_mm2.size(); ++k) {
+      EXPECT_NEAR(kept.variances_mm2[k] / made.variances_mm2[k], 1, 0.01) << name;
+      for (const std::size_t c : channels) EXPECT_NEAR(kept.weights[k][c], made.weights[k][c], 1e-3) << name;
+    }
+    ASSERT_TRUE(kept.medium && kept.shape) << name;
+    EXPECT_NEAR(kept.medium->sigma_s_per_mm[0], made.medium->sigma_s_per_mm[0], 1e-5) << name;
+    EXPECT_NEAR(kept.shape->curvature_mm[0] / made.shape->curvature_mm[0], 1, 0.01) << name;
+  }
+}
+
 // Simpson's rule in log r. What it leaves out is r0^2 / 2v within r0 and exp(-r1^2 / 2v) beyond r1, 1e-8 at
 // most here.
 TEST(PublicProfile, TheFitReflectsItsTotal) {

@@ -203,7 +203,7 @@ TEST(HostileSceneFile, Transforms) {
 TEST(HostileSceneFile, Profiles) {
   refuse(one(R"("profile": 3)"), "instances[1].profile: must be a name, a file or an object");
   refuse(one(R"("profile": "")"), "instances[1].profile: must be the name of a file");
-  refuse(one(R"("profile": "none.json")"), "'/none/none.json' is neither a file nor a published name");
+  refuse(one(R"("profile": "none.json")"), "'/none/none.json' is neither a file nor a known name");
   refuse(one(R"("profile": {"variances_mm2": [-1], "weights": [[1, 1, 1]]})"),
          "instances[1].profile.variances_mm2[0]");
   refuse(one(R"("profile": {"variances_mm2": [1], "weights": [[0.5, 1, 1]]})"), "sum to 0.5");
