@@ -28,6 +28,9 @@ class FramePlan : public FrameGraph {
   /// Constructs the pass, gives it settings and inputs, lets it declare, and keeps it. A pass has:
   ///   Settings settings; In in; Out declare(Declare&); void prepare(gpu::PipelineLibrary&), unless it has no
   ///   pipelines; void record(gpu::Cmd&, const Resources&, const Context&) const.
+  /// Barriers stand between passes alone: dispatches of one pass write areas that are disjoint. A validation
+  /// layer that is asked to guess what shaders access (syncval_shader_accesses_heuristic) takes them for
+  /// hazards.
   template <class Pass>
   typename Pass::Out add(const std::string& name, const typename Pass::In& in,
                          const typename Pass::Settings& settings = {}) {

@@ -45,11 +45,16 @@ VkBool32 Instance::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                               VkDebugUtilsMessageTypeFlagsEXT type,
                               const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
   const std::string_view id = data->pMessageIdName ? data->pMessageIdName : "";
-  // The loader reports here drivers that it could not open, which is not our fault.
-  if (id == "Loader Message") return VK_FALSE;
+  // The loader reports here drivers that it could not open, which is not our fault; nor is it that NVIDIA's
+  // driver asks for functions of the instance by vkGetDeviceProcAddr when a device is made.
+  if (id == "Loader Message" || id == "WARNING-vkGetDeviceProcAddr-device") return VK_FALSE;
   const bool error = (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) != 0;
   if (!error && (type & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT) == 0) return VK_FALSE;
-  std::string text = fmt::format("{}: {}", error ? "error" : "warning", data->pMessage ? data->pMessage : "");
+  // Layers of today leave their name for the fault out of the text.
+  const std::string_view said = data->pMessage ? data->pMessage : "";
+  std::string text = error ? "error: " : "warning: ";
+  if (!id.empty() && said.find(id) == std::string_view::npos) text += fmt::format("[ {} ] ", id);
+  text += said;
   std::ranges::replace(text, '\n', ' ');
   auto& target = *static_cast<Log*>(log);
   const std::lock_guard lock(target.mutex);

@@ -155,7 +155,7 @@ void expect_the_plane(const Eye& eye) {
     ++inside;
     ASSERT_EQ(l.instance[i], 1u) << x << ' ' << y;
     EXPECT_EQ(l.material[i], 1u);
-    EXPECT_NEAR(l.depth_m[i], depth_of(eye, hit_m), 2e-6);
+    EXPECT_NEAR(l.depth_m[i], depth_of(eye, hit_m), 3e-6);  // 2.3e-6 at 0.7 m on a GPU that interpolates
     EXPECT_LT(glm::distance(normal_at(l, i), normal), 2e-6);
     EXPECT_LT(glm::distance(uv_at(l, i), glm::dvec2(0.5 + at.x, 0.5 - at.y)), most_uv());
     EXPECT_EQ(l.region[i], Labels::other_skin) << "a plane has neither nose nor ears";

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/support/renderer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/device.h"
@@ -17,7 +19,11 @@ class OneRenderer : public testing::Environment {
     if (gpu::list_devices().empty())
       GTEST_SKIP() << "no Vulkan device (Debian, Ubuntu: apt install mesa-vulkan-drivers)";
   }
-  void TearDown() override { renderer_.reset(); }
+  void TearDown() override {
+    for (const std::function<void()>& end : ends_) end();
+    renderer_.reset();
+  }
+  void at_the_end(std::function<void()> end) { ends_.push_back(std::move(end)); }
 
   Renderer& get() {
     if (!renderer_) make();
@@ -49,6 +55,7 @@ class OneRenderer : public testing::Environment {
     }
   }
 
+  std::vector<std::function<void()>> ends_;
   std::unique_ptr<Renderer> renderer_;
   bool validated_ = false;
   std::size_t known_messages_ = 0;
@@ -73,6 +80,8 @@ const bool listens = [] {
 Renderer& renderer() { return one->get(); }
 
 bool is_validated() { return one->is_validated(); }
+
+void with_the_last_test(std::function<void()> end) { one->at_the_end(std::move(end)); }
 
 bool on_software() {
   static const bool software = gpu::list_devices().front().type == "software";  // takes milliseconds

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "dermis/renderer.h"
 
 namespace dermis::tests {
@@ -15,6 +17,10 @@ Renderer& renderer();
 
 /// Does the validation layer watch renderer()?
 bool is_validated();
+
+/// Calls this with the last test, for other devices that it watches: later the validation layer has ended
+/// itself.
+void with_the_last_test(std::function<void()> end);
 
 /// Is the device of renderer() a software driver? GPUs round otherwise, and keep corners in other places.
 bool on_software();

@@ -14,6 +14,7 @@
 #include "frame/executor.h"
 #include "gpu/device.h"
 #include "gpu/frame_memory.h"
+#include "gpu/support/renderer.h"
 #include "gpu/transfer.h"
 #include "image/colour.h"
 #include "passes/shaders.h"
@@ -35,8 +36,9 @@ struct Bench {
 };
 
 Bench* bench() {
-  static const std::unique_ptr<Bench> made = []() -> std::unique_ptr<Bench> {
+  static std::unique_ptr<Bench> made = []() -> std::unique_ptr<Bench> {
     try {
+      with_the_last_test([] { made.reset(); });
       return std::make_unique<Bench>();
     } catch (const DeviceError&) { return nullptr; }
   }();

@@ -123,9 +123,16 @@ class OnTheDevice : public testing::Test {
  protected:
   static void SetUpTestSuite() { library(); }
   static gpu::PipelineLibrary& library() {
-    static gpu::Device device(gpu::Device::Options{.validate = is_validated()});
-    static gpu::PipelineLibrary made(device, passes::find_shader);
-    return made;
+    struct Made {
+      gpu::Device device{gpu::Device::Options{.validate = is_validated()}};
+      gpu::PipelineLibrary library{device, passes::find_shader};
+    };
+    static std::unique_ptr<Made> made;
+    if (!made) {
+      made = std::make_unique<Made>();
+      with_the_last_test([] { made.reset(); });
+    }
+    return made->library;
   }
   static passes::GpuScene uploaded(const scene::Scene& scene) {
     return {library(), scene, scene::skin_meshes(scene)};
