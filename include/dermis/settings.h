@@ -81,11 +81,11 @@ struct SkinSettings {
   std::optional<bool> shape_aware{};
 };
 
-/// How convolutions skip unlit texels.
+/// How convolutions of technique `published` skip unlit texels, [JG08] sec. 3. texture-space computes tiles
+/// that hold light alone.
 enum class BlurMask : std::uint8_t {
   alpha,  ///< drawn, and an unlit texel ends before its samples
-  depth,  ///< drawn, and the depth test rejects it
-  tiles   ///< computed, only for tiles that hold light
+  depth   ///< drawn, and the depth test rejects it
 };
 
 /// The sizes of the light maps.
@@ -145,7 +145,7 @@ struct QualitySettings {
   /// as many as heads are lit together.
   bool keep_shadows = true;
 
-  std::optional<BlurMask> mask{};  ///< none: fastest on the kind of device
+  std::optional<BlurMask> mask{};  ///< of technique `published`; none: depth
   LightMaps maps = LightMaps::full;
   /// none: fastest on the kind of device. The targets of a host are always drawn into, and so is what ids
   /// cannot tell apart (docs/techniques.md).

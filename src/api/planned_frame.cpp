@@ -86,8 +86,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
 
 setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings& settings) const {
   const gpu::DeviceLimits& limits = device().limits();
-  const setup::DeviceTraits traits{.software = limits.software,
-                                   .memory_bytes = device().summary().memory_bytes,
+  const setup::DeviceTraits traits{.memory_bytes = device().summary().memory_bytes,
                                    .max_image_side = limits.max_image_side,
                                    .max_array_layers = limits.max_array_layers};
   setup::FrameSetup setup =

@@ -20,6 +20,7 @@ struct TileLists {
   frame::BufferId counts;     ///< TileCountsIo[], one per square
   frame::BufferId arguments;  ///< TileArgumentsIo[], one per square
   std::uint32_t room = 0;     ///< entries per square
+  bool valid() const { return room > 0; }
 };
 TileLists make_tile_lists(frame::FrameGraph& graph, const std::string& name, std::uint32_t squares,
                           std::uint32_t largest_side);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/known_names.h"
+#include "core/log.h"
 #include "json/document.h"
 #include "settings/fields.h"
 #include "settings/names.h"
@@ -114,10 +115,21 @@ void read(const json::Value& json, const About&, std::vector<std::string>& into)
   for (std::size_t i = 0; i < json.array_size(0); ++i) into.push_back(json.element(i).text());
 }
 
+/// What files of versions before may hold is left out with a warning that says what is done instead.
+bool is_removed(std::string_view key, const json::Value& value) {
+  if (key != "mask" || !value.is_text() || value.text() != "tiles") return false;
+  warn(
+      "{}: {}: 'tiles' is left out: texture-space always blurs tiles, and published has no other masks than "
+      "alpha and depth",
+      value.file(), value.place());
+  return true;
+}
+
 template <class Settings>
 void read_fields(const json::Value& json, Settings& into) {
   const auto one = [&](const auto& field) {
-    if (const auto value = json.find(std::string(field.name))) read(*value, field.about, into.*field.member);
+    const auto value = json.find(std::string(field.name));
+    if (value && !is_removed(field.name, *value)) read(*value, field.about, into.*field.member);
   };
   std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<Settings>);
 }

@@ -11,7 +11,7 @@
 namespace dermis {
 
 template <>
-inline constexpr std::array<std::string_view, 3> names_of<BlurMask>{"alpha", "depth", "tiles"};
+inline constexpr std::array<std::string_view, 2> names_of<BlurMask>{"alpha", "depth"};
 
 template <>
 inline constexpr std::array<std::string_view, 2> names_of<LightMaps>{"full", "progressive"};

@@ -72,8 +72,8 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
 
     Field{"mask",
           &QualitySettings::mask,
-          {.help = "how convolutions skip unlit texels",
-           .none = "fastest on this kind of device",
+          {.help = "how convolutions of published skip unlit texels",
+           .none = "depth",
            .option = "mask",
            .rebuilds = true,
            .real_time = true}},

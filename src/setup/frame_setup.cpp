@@ -146,20 +146,6 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
   }
 }
 
-// From a measurement on each kind of device, docs/measuring.md; never from one at run time, or frames would
-// not be bit-equal.
-passes::SkipUnlit choose_skip_unlit(const RenderSettings& s, const techniques::Technique& technique,
-                                    const DeviceTraits& device) {
-  const bool drawn = device.software || technique.as_published;
-  if (!s.quality.mask) return drawn ? passes::SkipUnlit::by_depth : passes::SkipUnlit::by_tiles;
-  switch (*s.quality.mask) {
-    case BlurMask::alpha: return passes::SkipUnlit::by_alpha;
-    case BlurMask::depth: return passes::SkipUnlit::by_depth;
-    case BlurMask::tiles: break;
-  }
-  return passes::SkipUnlit::by_tiles;
-}
-
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
 // What is blended casts no shadow.
 bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
@@ -254,7 +240,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
 
   if (setup.technique->has_light_maps) {
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
-    plan.skip_unlit = choose_skip_unlit(s, *setup.technique, device);
+    plan.mask = s.quality.mask.value_or(BlurMask::depth);
   }
   if (setup.technique->has_light_maps && !setup.technique->as_published) {
     plan.progressive = s.quality.maps == LightMaps::progressive;

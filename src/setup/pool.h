@@ -12,7 +12,6 @@ namespace dermis::setup {
 
 /// What the frame's structure takes from the device.
 struct DeviceTraits {
-  bool software = false;
   std::uint64_t memory_bytes = 0;        ///< of the device; 0: unknown
   std::uint32_t max_image_side = 16384;  ///< texels
   std::uint32_t max_array_layers = 2048;

@@ -19,7 +19,6 @@
 #include "passes/behind.h"
 #include "passes/final_pass/skin_shading.h"
 #include "passes/frame_data.h"
-#include "passes/light_mask.h"
 #include "passes/light_pool.h"
 #include "passes/targets.h"
 
@@ -108,8 +107,7 @@ struct FrameSettings {
   /// All that casts shadows is skin whose whole albedo acts after scattering (mix 0), so that all light
   /// enters its front: a map stores which side the light meets, and not which part of it enters.
   bool all_enters = false;
-  /// by_alpha, by_depth or by_tiles, of the texels that cull and clip have left unlit
-  passes::SkipUnlit skip_unlit = passes::SkipUnlit::by_tiles;
+  BlurMask mask = BlurMask::depth;  ///< of technique `published`
   /// Texels are lit by a compute pass, from maps of the triangles that they show; not those of a host's
   /// light.
   bool texel_maps = false;

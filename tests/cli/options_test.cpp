@@ -66,7 +66,7 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
 TEST_F(Options, UnknownNamesListTheKnownOnes) {
   refuse({"--technique", "oil"}, "texture-space, lambert");
   refuse({"--tone-map", "sepia"}, "natural, neutral, agx, filmic, srgb, linear");
-  refuse({"--mask", "tape"}, "alpha, depth, tiles");
+  refuse({"--mask", "tape"}, "alpha, depth");
   refuse({"--maps", "some"}, "full, progressive");
   refuse({"--camera", "main"}, "it has no cameras");
   refuse({"--show", "nothing"}, "picture, blur:0");

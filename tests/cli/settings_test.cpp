@@ -37,6 +37,15 @@ TEST_F(SettingsFiles, GiveTheSamePictureAgain) {
   EXPECT_EQ(read_text(saved()), text);
 }
 
+// Of versions that had a choice where there is none now.
+TEST_F(SettingsFiles, WhatIsGoneIsLeftOutWithAWarning) {
+  const Result run = render({head(), "--settings", file("old.json", R"({"quality": {"mask": "tiles"}})")});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.err.find("quality.mask: 'tiles' is left out: texture-space always blurs tiles"),
+            std::string::npos)
+      << run.err;
+}
+
 TEST_F(SettingsFiles, WhatIsGivenByItselfWins) {
   const std::string lights =
       file("lights.json", R"({"lighting": {"rig_lights": 3}, "camera": {"orbit_deg": [40, 0]}})");
@@ -63,7 +72,7 @@ TEST_F(SettingsFiles, ThatAreWrongAreRefused) {
   refuse(R"({"camera": {"heads": 1.5}})", "camera.heads");
   refuse(R"({"camera": {"heads": -1}})", "camera.heads");
   refuse(R"({"quality": {"map_size": 1e30}})", "quality.map_size");
-  refuse(R"({"quality": {"mask": "tape"}})", "alpha, depth, tiles");
+  refuse(R"({"quality": {"mask": "tape"}})", "alpha, depth");
   refuse(R"({"quality": {"cull": 1}})", "quality.cull");
   refuse(R"({"lighting": {"placed_lights": [{"elevation_deg": 91}]}})", "placed_lights[0].elevation_deg");
   refuse(R"({"scene": {"unit_scale": 0}})", "scene.unit_scale");

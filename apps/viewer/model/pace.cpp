@@ -35,7 +35,6 @@ RenderSettings Pace::settings(const RenderSettings& full) const {
   // is time for all of it, and none of this is used.
   small.quality.maps = LightMaps::progressive;
   small.quality.irradiance = IrradianceBy::compute;
-  small.quality.mask = BlurMask::tiles;
   small.quality.shading = Shading::compute;
   return small;
 }

@@ -1,4 +1,76 @@
 // SPDX-License-Identifier: MIT
+// One axis of one Gaussian. A Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture
+// coordinates, L = [a 0; b c]. The first pass runs along (a, b) in whole steps of u and interpolates in v;
+// the second runs along v. The variance that interpolation adds is subtracted from the second pass. Right for
+// any stretch and shear in two passes.
 #version 460
-#include "passes/blur/blur.glsl"
-#include "passes/masked_computed.glsl"
+#include "shared/types.h"
+#include "shaders/half.glsl"
+#include "passes/blur/blur_io.h"
+layout(push_constant, scalar) uniform Push { BlurIo io; };
+layout(binding = 0, rgba16f) uniform readonly image2D light_in;
+layout(binding = 1) uniform sampler2D stretch;
+layout(binding = 2) uniform utextureBuffer Kernels;
+
+#include "passes/convolution_taps.glsl"
+#include "passes/kernel_row.glsl"
+
+void load_kernel(float sigma, bool averaged) {
+  load_kernel_row(clamp(sigma / KERNEL_MAX_SIGMA, 0.0, 1.0) * float(KERNEL_ROWS - 1),
+                  averaged ? KERNEL_ROWS : 0);
+}
+
+vec4 own_light(ivec2 p) { return imageLoad(light_in, p + ivec2(io.origin)); }
+
+// Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, so its map
+// always has the largest size.
+vec4 spread(ivec2 p, vec4 centre) {
+  const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
+  const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
+  const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
+  const float texels = float(io.side);
+  const float sigma_mm = sqrt(io.variance_mm2);
+  const float wanted_u = sigma_mm * factor.x * texels;
+  const float sigma_u = sqrt(max(wanted_u * wanted_u - io.averaged_texels2, 0.0));
+  const int step_u = max(1, int(ceil(sigma_u / KERNEL_MAX_SIGMA)));
+  const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v per step
+  load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
+
+  vec3 sum = vec3(0.0);
+  float total = 0.0;
+  if (io.axis == 0u) {
+    total += gather(sum, centre, chart, kernel_row[0]);
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+      const float shift = slope * float(k);
+      const float whole = floor(shift);
+      const float f = shift - whole;
+      const ivec2 d = ivec2(k * step_u, int(whole));
+
+      // The tap on the other side is at -shift: its two texels mirror these.
+      total += gather(sum, light_at(p + d), chart, kernel_row[k] * (1.0 - f));
+      total += gather(sum, light_at(p + d + ivec2(0, 1)), chart, kernel_row[k] * f);
+      total += gather(sum, light_at(p - d), chart, kernel_row[k] * (1.0 - f));
+      total += gather(sum, light_at(p - d - ivec2(0, 1)), chart, kernel_row[k] * f);
+    }
+  } else {
+    float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+      const float f = fract(slope * float(k));
+      interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);
+    }
+
+    const float wanted = sigma_mm * factor.z * texels;
+    const float sigma_v = sqrt(max(wanted * wanted - interpolation - io.averaged_texels2, 0.0));
+    const int step_v = max(1, int(ceil(sigma_v / KERNEL_MAX_SIGMA)));
+    load_kernel(sigma_v / float(step_v), io.texel_averaged != 0u && step_v == 1);
+
+    total += gather(sum, centre, chart, kernel_row[0]);
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+      total += gather(sum, light_at(p + ivec2(0, k * step_v)), chart, kernel_row[k]);
+      total += gather(sum, light_at(p - ivec2(0, k * step_v)), chart, kernel_row[k]);
+    }
+  }
+  return vec4(storable(sum / total), centre.a);
+}
+
+#include "passes/tiled_pass.glsl"

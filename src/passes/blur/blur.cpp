@@ -12,7 +12,7 @@
 namespace dermis::passes {
 
 Blur::Out Blur::declare(frame::Declare& d) {
-  masked(d, "blur", in.mask, in.target);
+  tiled(d, "blur.comp", in.lit, in.target);
   d.read(in.light);
   if (in.start.valid()) d.read(in.start);
   d.sample(in.stretch);
@@ -20,7 +20,7 @@ Blur::Out Blur::declare(frame::Declare& d) {
 }
 
 void Blur::prepare(gpu::PipelineLibrary& library) {
-  MaskedPass::prepare(library);
+  TiledPass::prepare(library);
   kernels_ =
       gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()), gpu::texels_of_shaders);
 }

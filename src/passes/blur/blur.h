@@ -11,7 +11,7 @@
 
 #include "frame/graph.h"
 #include "gaussians/sum.h"
-#include "passes/masked_pass.h"
+#include "passes/tiled_pass.h"
 
 namespace dermis::passes {
 
@@ -22,7 +22,7 @@ struct ChainStep {
   double total_mm2 = 0;  ///< variance of this step and all before: what a head that enters here blurs by
 };
 
-class Blur : public MaskedPass {
+class Blur : public TiledPass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
@@ -37,8 +37,8 @@ class Blur : public MaskedPass {
   } settings;
   struct In {
     frame::TextureId light, stretch;
-    frame::TextureId target;  ///< RGBA16F pool of the same size
-    LightMask mask = {};
+    frame::TextureId target;      ///< RGBA16F pool of the same size
+    TileLists lit = {};           ///< tiles that hold light; none: the whole square
     frame::TextureId start = {};  ///< with `chain` and axis 0: the light before any blur
   } in;
   struct Out {

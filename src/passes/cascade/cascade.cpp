@@ -21,7 +21,7 @@ gpu::Buffer kernels_on(gpu::Device& device) {
 }  // namespace
 
 CascadeBlur::Out CascadeBlur::declare(frame::Declare& d) {
-  masked(d, "cascade_blur", in.mask, in.target);
+  tiled(d, "cascade_blur.comp", in.lit, in.target);
   d.read(in.light);
   d.sample(in.stretch);
   if (settings.joins) d.read(in.joining);
@@ -29,7 +29,7 @@ CascadeBlur::Out CascadeBlur::declare(frame::Declare& d) {
 }
 
 void CascadeBlur::prepare(gpu::PipelineLibrary& library) {
-  MaskedPass::prepare(library);
+  TiledPass::prepare(library);
   ratios_ = kernels_on(library.device());
 }
 
@@ -74,7 +74,7 @@ void CascadeBlur::record(gpu::Cmd& cmd, const frame::Resources& resources, const
 }
 
 CascadeSum::Out CascadeSum::declare(frame::Declare& d) {
-  masked(d, "cascade_sum", in.mask, in.target);
+  tiled(d, "cascade_sum.comp", in.lit, in.target);
   d.read(in.light);
   d.sample(in.stretch);
   if (in.wide.valid()) d.read(in.wide);
@@ -84,7 +84,7 @@ CascadeSum::Out CascadeSum::declare(frame::Declare& d) {
 }
 
 void CascadeSum::prepare(gpu::PipelineLibrary& library) {
-  MaskedPass::prepare(library);
+  TiledPass::prepare(library);
   ratios_ = kernels_on(library.device());
 }
 

@@ -13,12 +13,12 @@
 
 #include "frame/graph.h"
 #include "passes/cascade_steps.h"
-#include "passes/masked_pass.h"
+#include "passes/tiled_pass.h"
 
 namespace dermis::passes {
 
 /// One axis of one step. Of a head's last step, on maps that are not halved, CascadeSum does the second.
-class CascadeBlur : public MaskedPass {
+class CascadeBlur : public TiledPass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
@@ -33,8 +33,8 @@ class CascadeBlur : public MaskedPass {
   } settings;
   struct In {
     frame::TextureId light, stretch;
-    frame::TextureId target;  ///< RGBA16F pool of the same size
-    LightMask mask = {};
+    frame::TextureId target;        ///< RGBA16F pool of the same size
+    TileLists lit = {};             ///< tiles that hold light; none: the whole square
     frame::TextureId joining = {};  ///< with `joins`: light that has not spread
   } in;
   struct Out {};
@@ -47,7 +47,7 @@ class CascadeBlur : public MaskedPass {
 };
 
 /// Adds the narrow terms to what the wide ones have spread.
-class CascadeSum : public MaskedPass {
+class CascadeSum : public TiledPass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;     ///< not halved
@@ -59,7 +59,7 @@ class CascadeSum : public MaskedPass {
     frame::TextureId light;  ///< that has not spread
     frame::TextureId stretch;
     frame::TextureId target;
-    LightMask mask = {};
+    TileLists lit = {};          ///< tiles that hold light; none: the whole square
     frame::TextureId wide = {};  ///< with `steps`: light that has moved here after the last step
     frame::TextureId across =
         {};  ///< with `steps`: light after the first axis of the last step, if that is here

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "passes/compute_pass.h"
-#include "passes/light_mask.h"
 #include "techniques/published/kernels.h"
 #include "techniques/published/object.h"
 

@@ -11,7 +11,7 @@ namespace dermis::techniques::papers {
 
 Mask mask_of(const FrameSettings& settings) {
   if (!settings.optimise.cull && !settings.optimise.clip) return Mask::none;
-  return settings.skip_unlit == passes::SkipUnlit::by_alpha ? Mask::alpha : Mask::depth;
+  return settings.mask == BlurMask::alpha ? Mask::alpha : Mask::depth;
 }
 
 namespace {

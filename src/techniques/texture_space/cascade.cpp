@@ -46,7 +46,6 @@ class Cascade {
   const Level& level(std::uint32_t halvings) const { return maps_->levels()[halvings]; }
   frame::TextureId spread(std::uint32_t halvings) const { return level(halvings).blurred.front(); }
   std::vector<MapSquare> on(std::uint32_t halvings) const { return on_level(squares_, level(halvings)); }
-  passes::LightMask mask(std::uint32_t halvings) const { return light_mask(*settings_, level(halvings)); }
 
   // Light of a group is what the group before has, and what its terms bring through the body beyond that.
   void add_transmitted() {
@@ -112,13 +111,13 @@ class Cascade {
     const std::string name = fmt::format("cascade {}", number);
     plan_->add<passes::CascadeBlur>(
         maps_->name(name + " u", mesh_),
-        {widest ? unspread(step) : spread(step.halvings), stretch, here.scratch, mask(step.halvings)}, blur);
+        {widest ? unspread(step) : spread(step.halvings), stretch, here.scratch, here.lit}, blur);
 
     blur.axis = 1;
     if (widest) blur.scales = step.term;
     if (next) blur.joins = next->term;
     plan_->add<passes::CascadeBlur>(maps_->name(name + " v", mesh_),
-                                    {here.scratch, stretch, spread(step.halvings), mask(step.halvings),
+                                    {here.scratch, stretch, spread(step.halvings), here.lit,
                                      blur.joins ? unspread(*next) : frame::TextureId{}},
                                     blur);
     if (step.halvings > 0 || number > 0) add_gutters(name, step.halvings, number);
@@ -133,7 +132,7 @@ class Cascade {
     passes::CascadeSum::In in{.light = level(0).light,
                               .stretch = maps_->stretch(mesh_),
                               .target = maps_->blurred().front(),
-                              .mask = mask(0)};
+                              .lit = level(0).lit};
     passes::CascadeSum::Settings sum{
         .squares = squares_, .variances_mm2 = cascade_.variances_mm2, .steps = cascade_.steps};
     if (!cascade_.steps.empty()) {

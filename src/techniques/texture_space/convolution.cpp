@@ -99,10 +99,9 @@ class MakeChain {
     blur.chain = passes::ChainStep{.number = number, .total_mm2 = total_mm2_};
     const std::string name = fmt::format("blur {}", number);
     const frame::TextureId stretch = maps_->stretch(mesh_), target = maps_->blurred()[term];
-    const passes::LightMask mask = light_mask(*settings_, *level_);
-    add<Blur>(name + " u", {light_.blurred, stretch, level_->scratch, mask, light_.start}, blur);
+    add<Blur>(name + " u", {light_.blurred, stretch, level_->scratch, level_->lit, light_.start}, blur);
     blur.axis = 1;
-    add<Blur>(name + " v", {level_->scratch, stretch, target, mask}, blur);
+    add<Blur>(name + " v", {level_->scratch, stretch, target, level_->lit}, blur);
     add<Gutters>(name + " gutters", {target}, {.squares = squares_, .step = number});
 
     light_.blurred = target;

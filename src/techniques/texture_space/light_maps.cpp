@@ -7,7 +7,6 @@
 #include "passes/clear_buffers.h"
 #include "passes/count/count.h"
 #include "passes/cull_triangles/cull_triangles.h"
-#include "passes/depth_mask/depth_mask.h"
 #include "passes/dilate/dilate.h"
 #include "passes/downsample/downsample.h"
 #include "passes/gutters/gutters.h"
@@ -25,7 +24,6 @@ namespace dermis::techniques {
 using frame::Together;
 using passes::Gutters;
 using passes::MapSquare;
-using passes::SkipUnlit;
 
 std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
   std::vector<std::uint32_t> least;
@@ -39,15 +37,6 @@ std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
     }
   }
   return least;
-}
-
-SkipUnlit skip_unlit(const FrameSettings& settings) {
-  if (is_sparse(settings)) return settings.skip_unlit;
-  return settings.skip_unlit == SkipUnlit::by_tiles ? SkipUnlit::never : SkipUnlit::never_drawn;
-}
-
-passes::LightMask light_mask(const FrameSettings& settings, const Level& level) {
-  return {.skip_unlit = skip_unlit(settings), .lists = level.lit, .depth_mask = level.depth_mask};
 }
 
 MapSquare on_level(MapSquare square, const Level& level) {
@@ -181,12 +170,10 @@ Level LightMaps::make_level(std::uint32_t halvings) {
 
   level.light = plan_->texture(name("irradiance"), pool_.texture(halvings));
   level.scratch = plan_->texture(name("scratch"), pool_.texture(halvings));
-  if (is_sparse(*settings_))
+  if (is_sparse(*settings_)) {
     level.border = passes::make_tile_lists(*plan_, name("border"), pool_.squares(), side);
-  if (skip_unlit(*settings_) == SkipUnlit::by_tiles)
     level.lit = passes::make_tile_lists(*plan_, name("lit"), pool_.squares(), side);
-  if (skip_unlit(*settings_) == SkipUnlit::by_depth)
-    level.depth_mask = plan_->texture(name("depth mask"), pool_.texture(halvings, VK_FORMAT_D32_SFLOAT));
+  }
   return level;
 }
 
@@ -226,8 +213,7 @@ std::vector<frame::TextureId> LightMaps::textures() const {
     if (map.valid()) all.push_back(map);
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
   for (const Level& level : levels_) {
-    for (const frame::TextureId map : {level.light, level.scratch, level.depth_mask})
-      if (map.valid()) all.push_back(map);
+    for (const frame::TextureId map : {level.light, level.scratch}) all.push_back(map);
     if (settings_->cascade) all.push_back(level.blurred.front());
   }
   return all;
@@ -367,19 +353,14 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
                                                    {settings, counter_transmission_misses});
 }
 
-// Prepares a level for blurring: seam gutters, dilation, mask of unlit texels.
+// Prepares a level for blurring: seam gutters, dilation, tiles that hold light.
 void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all) {
   // Levels of a cascade have gutters by now, those of the larger map: see add_pyramid().
   if (!settings_->cascade || level.halvings == 0)
     plan_->add<Gutters>(name(at("irradiance gutters", level)), {level.light}, {.squares = all});
   if (is_sparse(*settings_)) add_dilation(level, all);
   add_masked_counts(level, all);
-
-  const SkipUnlit skip = skip_unlit(*settings_);
-  if (skip == SkipUnlit::by_depth)
-    plan_->add<passes::DepthMask>(name(at("depth mask", level)), {level.light, level.depth_mask},
-                                  {.squares = all});
-  if (skip == SkipUnlit::by_tiles) add_tiles(level, all);
+  if (is_sparse(*settings_)) add_tiles(level, all);
 }
 
 // Extends the light to unlit texels beside lit ones, so that bilinear reads find light on all sides.

@@ -9,8 +9,8 @@
 
 #include "passes/irradiance/irradiance_texels.h"
 #include "passes/kept_triangles.h"
-#include "passes/light_mask.h"
 #include "passes/light_pool.h"
+#include "passes/tile_lists.h"
 #include "techniques/screen.h"
 #include "techniques/texture_space/map_pool.h"
 
@@ -24,16 +24,12 @@ std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings);
 inline bool is_sparse(const FrameSettings& settings) {
   return settings.optimise.cull || settings.optimise.clip;
 }
-/// Returns how convolutions run: as the settings say if the light is sparse, else over the whole used square
-/// by the same kind of pass.
-passes::SkipUnlit skip_unlit(const FrameSettings& settings);
 
 /// Light maps of one size, T_max >> halvings, and what says which of their texels convolutions skip.
 struct Level {
   std::uint32_t halvings = 0;
   frame::TextureId light;                 ///< what its first convolution reads
   frame::TextureId scratch;               ///< between the two axes of a blur
-  frame::TextureId depth_mask;            ///< valid with SkipUnlit::by_depth
   std::uint32_t first_term = 0;           ///< that of the first of `blurred`
   std::vector<frame::TextureId> blurred;  ///< of the terms that end here; of a cascade what has spread so far
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
@@ -41,7 +37,6 @@ struct Level {
 };
 
 /// Returns how convolutions of a level skip unlit texels.
-passes::LightMask light_mask(const FrameSettings& settings, const Level& level);
 
 /// Return the same squares in the maps of a level.
 passes::MapSquare on_level(passes::MapSquare square, const Level& level);

@@ -144,13 +144,10 @@ class Figures {
       convolved_texels +=
           counted(halvings, halvings == 0 ? counter_lit_texels : counter_masked_texels) * level.terms;
 
-      // Shader invocations of one convolution: what is not skipped of the used square. SkipUnlit::by_alpha
-      // leaves all: its fragments end early, but they start.
+      // Shader invocations of one convolution: what is not skipped of the used square.
       std::uint64_t at_once = side * side;
-      if (skip_unlit(settings_) == passes::SkipUnlit::by_tiles)
+      if (is_sparse(settings_))
         at_once = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(halvings, counter_tiles);
-      if (skip_unlit(settings_) == passes::SkipUnlit::by_depth)
-        at_once = counted(halvings, counter_masked_texels);
       launched += at_once * level.convolutions + side * side * level.moves;
       if (!settings_.cascade) taps += at_once * level.convolutions * (2 * passes::kernel_radius + 1);
     }
@@ -169,12 +166,6 @@ std::vector<std::string> names_of(const Optimise& optimise) {
   return names;
 }
 
-std::string name_of(passes::SkipUnlit skip) {
-  return skip == passes::SkipUnlit::by_alpha   ? "alpha"
-         : skip == passes::SkipUnlit::by_depth ? "depth"
-                                               : "tiles";
-}
-
 }  // namespace
 
 FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
@@ -184,7 +175,7 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
 
   FrameReport report = screen_report(settings, counters, drawn);
   report.optimise = names_of(settings.optimise);
-  if (is_sparse(settings)) report.mask = name_of(settings.skip_unlit);
+  if (is_sparse(settings)) report.mask = "tiles";
   report.maps = settings.progressive ? "progressive" : "full";
   report.translucency = settings.translucency;
   report.shape_aware = std::any_of(settings.skin.begin(), settings.skin.end(),

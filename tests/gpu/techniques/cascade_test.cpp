@@ -57,20 +57,6 @@ TEST_P(CascadeOfHeads, AreWhiteInAWhiteFurnace) {
     }
 }
 
-// What skips unlit texels changes what is computed, not the light.
-TEST(Cascade, AllMasksMakeTheSamePicture) {
-  RenderSettings s = small_cascade();
-  s.camera.orbit_deg = {40, 0};
-  s.quality.mask = BlurMask::tiles;
-  const Picture tiles = renderer().render(head(), s);
-  EXPECT_GT(skin_range(tiles).pixels, 1000u);
-  for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth}) {
-    s.quality.mask = mask;
-    SCOPED_TRACE(name_of(mask));
-    expect_equal_bits(tiles, renderer().render(head(), s));
-  }
-}
-
 // Heads of a batch share the maps of each level; those of the next batch find nothing of the first in them.
 TEST(Cascade, TwoHeadsOfABatchAreAsByThemselves) {
   RenderSettings s = small_cascade();

@@ -90,12 +90,12 @@ TEST(TermsByNeed, ThenItIsDrawnAsWithoutScattering) {
   expect_equal_bits(renderer().render(kept_head(), s), far);
 }
 
-// Without a mask each step of the chain launches the whole used square, along both axes.
+// Where nothing is left out each step of the chain launches the whole used square, along both axes.
 TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
   std::vector<int> counts;
   for (const double distance : {2.0, 5.0, 8.0, 16.0, 30.0, 400.0}) {
     RenderSettings s = settings_at(distance);
-    s.quality.mask = BlurMask::alpha;
+    s.quality.cull = s.quality.clip = false;
     const Statistics st = renderer().render(kept_head(), s).statistics;
     ASSERT_EQ(st.mapped_terms.size(), 1u);
     const auto terms = static_cast<std::uint64_t>(st.mapped_terms.front());
@@ -125,10 +125,10 @@ TEST(TermsByNeed, TheChainStartsFromTheIrradiance) {
                                        {.variance_mm2 = 0.64, .weight = {1e-15, 1e-15, 1e-15}}};
   all.insert(all.end(), wide.begin(), wide.end());
 
-  for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth, BlurMask::tiles}) {
-    SCOPED_TRACE(name_of(mask));
+  for (const bool sparse : {false, true}) {
+    SCOPED_TRACE(sparse ? "tiles" : "whole squares");
     RenderSettings s = settings_at(6.2);
-    s.quality.mask = mask;
+    s.quality.cull = s.quality.clip = sparse;
     s.skin.translucency = false;
     const Picture whole = renderer().render(kept_head(), with_profile(s, "all terms", all));
     const Picture rest = renderer().render(kept_head(), with_profile(s, "wide terms alone", wide));
@@ -179,18 +179,13 @@ TEST(TermsByNeed, EachHeadOfABatchTakesWhatItNeeds) {
   EXPECT_EQ(all.launched, launched);
 }
 
-class StaleMaps : public testing::TestWithParam<BlurMask> {};
-INSTANTIATE_TEST_SUITE_P(Masks, StaleMaps, testing::Values(BlurMask::alpha, BlurMask::depth, BlurMask::tiles),
-                         [](const auto& mask) { return std::string(name_of(mask.param)); });
-
 // Maps that no head has written hold no numbers here: none is read, and none is multiplied by 0.
-TEST_P(StaleMaps, AreNotReadWhereTermsAreLeftOut) {
+TEST(StaleMaps, AreNotReadWhereTermsAreLeftOut) {
   const Scene scene = near_and_far();
   for (const bool translucency : {false, true})
     for (const LightMaps maps : {LightMaps::full, LightMaps::progressive}) {
       SCOPED_TRACE(std::string(name_of(maps)) + (translucency ? ", translucent" : ""));
       RenderSettings s = settings_near_and_far();
-      s.quality.mask = GetParam();
       s.quality.maps = maps;
       s.skin.translucency = translucency;
       const Picture clean = renderer().render(scene, s), stale = poisoned_renderer().render(scene, s);

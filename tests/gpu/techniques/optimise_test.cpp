@@ -154,22 +154,24 @@ TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
   }
 }
 
-TEST_F(OnTheScan, AllMasksMakeTheSamePicture) {
-  RenderSettings s = settings_with(true, true, true);
-  s.camera.orbit_deg = {50, 10};
-  std::vector<Picture> pictures;
-  for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth, BlurMask::tiles}) {
-    s.quality.mask = mask;
-    pictures.push_back(renderer().render(scan(), s));
-    EXPECT_EQ(pictures.back().statistics.mask, name_of(mask));
-    SCOPED_TRACE(name_of(mask));
-    expect_equal_bits(pictures.front(), pictures.back());
-    EXPECT_EQ(pictures.back().statistics.irradiance_texels, pictures.front().statistics.irradiance_texels);
-  }
-  // What is not seen is not even launched, but for the alpha test.
-  const auto launched = [&](int i) { return pictures[static_cast<std::size_t>(i)].statistics.launched; };
-  EXPECT_LT(launched(1), launched(2));
-  EXPECT_LT(launched(2), launched(0));
+// The picture of tiles that hold light is that of all tiles, whatever the order of the blurs and the maps.
+TEST_F(OnTheScan, TilesWithoutLightAreNotBlurred) {
+  for (const BlurOrder blur : {BlurOrder::chain, BlurOrder::cascade})
+    for (const LightMaps maps : {LightMaps::full, LightMaps::progressive}) {
+      if (blur == BlurOrder::cascade && maps == LightMaps::full) continue;
+      SCOPED_TRACE(std::string(name_of(blur)) + " " + std::string(name_of(maps)));
+      RenderSettings s = settings_with(true, true, true);
+      s.camera.orbit_deg = {50, 10};
+      s.quality.blur = blur;
+      s.quality.maps = maps;
+      const Picture seen = renderer().render(scan(), s);
+      EXPECT_EQ(seen.statistics.mask, "tiles");
+      s.quality.cull = s.quality.clip = false;
+      const Picture all = renderer().render(scan(), s);
+      EXPECT_EQ(all.statistics.mask, "");
+      EXPECT_LT(seen.statistics.launched, all.statistics.launched);
+      expect_unseen(all, seen);
+    }
 }
 
 }  // namespace

@@ -80,18 +80,6 @@ TEST_F(Progressive, OptimisedItReadsNothingUnlit) {
   }
 }
 
-TEST_F(Progressive, AllMasksMakeTheSamePicture) {
-  progressive.quality.cull = progressive.quality.clip = true;
-  progressive.camera.orbit_deg = {40, 0};
-  progressive.quality.mask = BlurMask::tiles;
-  const Picture tiles = renderer().render(scan(), progressive);
-  for (const BlurMask mask : {BlurMask::alpha, BlurMask::depth}) {
-    progressive.quality.mask = mask;
-    SCOPED_TRACE(name_of(mask));
-    expect_equal_bits(tiles, renderer().render(scan(), progressive));
-  }
-}
-
 // The maps of a far head halve less often than a near head's.
 TEST_F(Progressive, AFarHeadKeepsItsPicture) {
   full.quality.depth = progressive.quality.depth = true;

@@ -69,22 +69,17 @@ std::vector<Case> cases() {
                            technique, std::move(s)});
           }
 
-  // Take three heads two at a time, with each mask.
-  for (const passes::SkipUnlit skip :
-       {passes::SkipUnlit::by_alpha, passes::SkipUnlit::by_depth, passes::SkipUnlit::by_tiles})
-    for (const std::size_t parts : {1u, 2u})
-      for (const bool sparse : {false, true}) {
-        techniques::FrameSettings s{
-            .width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
-        set_heads(s, 3, parts);
-        s.heads_per_batch = 2;
-        s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
-        s.skip_unlit = skip;
-        s.translucency = true;
-        all.push_back({fmt::format("two batches, {} skin parts, skip unlit {}{}", parts,
-                                   static_cast<int>(skip), sparse ? ", cull and clip" : ""),
-                       &techniques::find_technique("texture-space"), std::move(s)});
-      }
+  // Take three heads two at a time.
+  for (const std::size_t parts : {1u, 2u})
+    for (const bool sparse : {false, true}) {
+      techniques::FrameSettings s{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
+      set_heads(s, 3, parts);
+      s.heads_per_batch = 2;
+      s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
+      s.translucency = true;
+      all.push_back({fmt::format("two batches, {} skin parts{}", parts, sparse ? ", cull and clip" : ""),
+                     &techniques::find_technique("texture-space"), std::move(s)});
+    }
 
   techniques::FrameSettings parts{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
   parts.meshes_per_batch = 2;
@@ -251,14 +246,12 @@ std::uint64_t texture_bytes(const FrameGraph& plan) {
 
 // Three heads more in a batch take three times what one is said to take: nothing else grows.
 TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
-  for (const passes::SkipUnlit skip :
-       {passes::SkipUnlit::by_alpha, passes::SkipUnlit::by_depth, passes::SkipUnlit::by_tiles})
+  for (const bool sparse : {false, true})
     for (const bool more : {false, true}) {
       techniques::FrameSettings s{
           .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3};
       set_heads(s, 4, 1);
-      s.optimise = {.cull = true, .depth = true, .clip = true};
-      s.skip_unlit = skip;
+      s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
       s.translucency = s.progressive = more;
 
       const techniques::Technique& technique = techniques::find_technique("texture-space");
@@ -270,7 +263,7 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
       };
       const techniques::MapMemory memory = techniques::map_memory(technique, s);
       EXPECT_EQ(bytes(4) - bytes(1), 3 * (memory.light_maps + memory.shadow_maps))
-          << "skip unlit " << static_cast<int>(skip) << ", translucency and small maps " << more;
+          << (sparse ? "tiles" : "whole squares") << ", translucency and small maps " << more;
     }
 }
 

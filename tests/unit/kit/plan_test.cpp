@@ -31,7 +31,7 @@ TEST(Plan, EverySettingIsSwitchedOrFixed) {
 TEST(Plan, ChoicesHaveEveryOtherValue) {
   std::set<std::string> values;
   for (const Switch& change : switches(Extent::quick)) values.insert(change.path + " " + change.text);
-  for (const char* value : {R"(quality.mask "alpha")", R"(quality.mask "depth")", R"(quality.mask "tiles")",
+  for (const char* value : {R"(quality.mask "alpha")", R"(quality.mask "depth")",
                             R"(quality.maps "progressive")", "quality.cull false", "skin.translucency false",
                             R"(output.tone_map "linear")", "lighting.rig_lights 5"})
     EXPECT_TRUE(values.contains(value)) << value;

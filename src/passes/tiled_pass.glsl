@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A masked pass in compute, over the whole square or over the tiles that hold light. Needs `io`, and of the
+// A pass over the whole square of a map, or over the tiles that hold light. Needs `io`, and of the
 // pass: own_light(p), the light of a texel before the pass, whose alpha says whether it is lit; and
 // spread(p, own), the light after it.
 #include "shaders/tile_list.glsl"

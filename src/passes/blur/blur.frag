@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-#version 460
-#include "passes/blur/blur.glsl"
-#include "passes/masked_drawn.glsl"

@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-// One triangle that covers the viewport, half way in depth.
-#version 460
-void main() { gl_Position = vec4(vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1) * 4.0 - 1.0, 0.5, 1.0); }
