@@ -8,7 +8,6 @@
 #include <functional>
 
 #include "core/channels.h"
-#include "gaussians/algebra.h"
 #include "image/colour.h"
 #include "report/svg.h"
 

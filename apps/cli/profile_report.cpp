@@ -11,7 +11,6 @@
 
 #include "core/channels.h"
 #include "core/error.h"
-#include "gaussians/algebra.h"
 #include "gaussians/exchange.h"
 #include "gaussians/json.h"
 #include "optics/media.h"
@@ -171,8 +170,7 @@ Fitted fit(const Source& source, int terms, bool shared, ProfileFit measure) {
     out.error_percent = out.shared.error_percent;
   } else {
     for (int c = 0; c < 3; ++c) {
-      out.channels[c] =
-          gaussians::fit_channel(*source.profiles[c], terms, gaussians::Weights::non_negative, measure);
+      out.channels[c] = gaussians::fit_channel(*source.profiles[c], terms, measure);
       out.error_percent[c] = out.channels[c].error_percent;
     }
   }

@@ -28,22 +28,13 @@ constexpr std::size_t search_steps = 3;
 struct Range {
   double low = 0, high = 0;  // log of the variance of the narrowest and the widest structure
   double floor = 0;          // lower bound of the log-variances
-  bool any_sign = false;     // allows negative weights
 };
-
-/// Keeps variances 20 % apart: two terms of opposite sign that drift together approximate a derivative, with
-/// weights that cancel in the eighth digit.
-void keep_apart(VectorXd& log_variance) {
-  std::sort(log_variance.begin(), log_variance.end());
-  for (Index j = 1; j < log_variance.size(); ++j)
-    log_variance[j] = std::max(log_variance[j], log_variance[j - 1] + 0.2);
-}
 
 /// Minimises over the log-variances by Levenberg-Marquardt, until steps hardly reduce the residual.
 Projected descend(std::span<const Target> channels, VectorXd& log_variance, const Range& range) {
   constexpr int most_steps = 150;
   Steps steps(work_name, most_steps);
-  Projected here = project(channels, log_variance, range.any_sign);
+  Projected here = project(channels, log_variance);
   double damping = 1e-3;
 
   for (int step = 0, stalled = 0; step < most_steps && stalled < 3 && damping < 1e9; ++step) {
@@ -57,9 +48,8 @@ Projected descend(std::span<const Target> channels, VectorXd& log_variance, cons
     // Limits the step to a factor of e in each variance.
     change *= std::min(1.0, 1.0 / std::max(change.cwiseAbs().maxCoeff(), 1e-300));
     VectorXd there_at = (log_variance + change).cwiseMax(range.floor).cwiseMin(range.high + 9);
-    if (range.any_sign) keep_apart(there_at);
 
-    Projected there = project(channels, there_at, range.any_sign);
+    Projected there = project(channels, there_at);
     if (there.residual2 < here.residual2) {
       const bool stalls = here.residual2 - there.residual2 < 1e-9 * here.residual2;
       stalled = stalls ? stalled + 1 : 0;
@@ -136,7 +126,7 @@ Solution search(std::span<const Target> channels, const Range& range, int terms)
   for (Index c = 0; c < best.projected.weights.cols(); ++c) {
     const bool finite = best.log_variance.allFinite() && best.projected.weights.col(c).allFinite() &&
                         std::isfinite(best.projected.residual2);
-    const bool some = range.any_sign || best.projected.weights.col(c).sum() > 0;
+    const bool some = best.projected.weights.col(c).sum() > 0;
     if (!finite || !some) throw input_error(channels[c].where(), "no sum of Gaussians fits this profile");
   }
 
@@ -177,12 +167,10 @@ double ChannelFit::weight_sum() const {
                          [](double sum, const Term& term) { return sum + term.weight; });
 }
 
-ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Weights weights, Measure measure) {
+ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Measure measure) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
   const Target target(profile, profile.name(), measure);
-  Range range = range_of(profile);
-  range.any_sign = weights == Weights::any_sign;
-  const Solution solution = search({&target, 1}, range, terms);
+  const Solution solution = search({&target, 1}, range_of(profile), terms);
   ChannelFit fit;
   fit.error_percent = 100 * std::sqrt(solution.projected.residual2);
   for (const Index j : narrow_to_wide(solution.log_variance)) {
@@ -262,6 +250,24 @@ double evaluate(std::span<const Term> terms, double radius_mm) {
     sum += term.weight * std::exp(-radius_mm * radius_mm / (2 * term.variance_mm2)) /
            (2 * pi * term.variance_mm2);
   return sum;
+}
+
+double edge_response(std::span<const Term> terms, double x_mm) {
+  double sum = 0;
+  for (const Term& term : terms) sum += term.weight * std::erfc(x_mm / std::sqrt(2 * term.variance_mm2)) / 2;
+  return sum;
+}
+
+double difference_percent(std::span<const Term> sum, std::span<const Term> other) {
+  const auto product = [](std::span<const Term> a, std::span<const Term> b) {
+    double value = 0;
+    for (const Term& s : a)
+      for (const Term& t : b)
+        value += s.weight * t.weight / (4 * pi * pi * (s.variance_mm2 + t.variance_mm2));
+    return value;
+  };
+  const double own = product(sum, sum);
+  return 100 * std::sqrt(std::max(0.0, own - 2 * product(sum, other) + product(other, other)) / own);
 }
 
 }  // namespace dermis::gaussians

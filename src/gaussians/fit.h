@@ -32,10 +32,6 @@ struct ChannelFit {
   double weight_sum() const;
 };
 
-/// A blur needs non_negative. The algebra of layers needs any_sign: the multipole of a thin slab between
-/// unlike neighbours is negative far out, which no sum of positive terms can follow.
-enum class Weights { non_negative, any_sign };
-
 /// What is minimised: Int r (R - S)^2 dr, or Int (E_R - E_S)^2 d(log r) with E(r) the light that leaves
 /// within r.
 using Measure = ProfileFit;
@@ -48,8 +44,7 @@ using Measure = ProfileFit;
 /// If R has a 1/r pole (light scattered once, Burley), Int r R^2 dr diverges at 0. Then R and S are compared
 /// as a narrow Gaussian beam sees them, see core_variance_mm2(): Int k (R^ - S^)^2 e^{-v k^2} dk. Terms much
 /// narrower than the beam are not resolved and not made.
-ChannelFit fit_channel(const profile::RadialProfile& profile, int terms,
-                       Weights weights = Weights::non_negative, Measure measure = Measure::plane);
+ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Measure measure = Measure::plane);
 
 /// Fits three channels that share their variances, the form that the GPU blurs: minimises the sum of the
 /// three squared relative errors. Weights are returned divided by their sum per channel, errors are those
@@ -71,5 +66,13 @@ std::vector<Term> channel(const SumOfGaussians& sum, int c);
 
 /// Returns S(r) = Sum w_i G(v_i, r) [1/mm^2], r >= 0 in mm. [DLE07] sec. 4.
 double evaluate(std::span<const Term> terms, double radius_mm);
+
+/// E(x), the light at distance x [mm] into the dark (negative: in the light) from a straight edge, 0..1 for
+/// normalised weights. [DLE07] fig. 2 idea, the integral of the sum over a half-plane.
+double edge_response(std::span<const Term> terms, double x_mm);
+
+/// How far two normalised sums are apart, in per cent: 100 sqrt( Int r (S - S')^2 dr / Int r S^2 dr ), in
+/// closed form: Int r G(v) G(v') dr = 1 / (4 pi^2 (v + v')).
+double difference_percent(std::span<const Term> sum, std::span<const Term> other);
 
 }  // namespace dermis::gaussians

@@ -250,7 +250,7 @@ VectorXd solve_non_negative(const MatrixXd& a, const VectorXd& b) {
   return w.cwiseMax(0);
 }
 
-Projected project(std::span<const Target> channels, const VectorXd& log_variance, bool any_sign) {
+Projected project(std::span<const Target> channels, const VectorXd& log_variance) {
   const Index n = log_variance.size();
   Projected out;
   out.weights = MatrixXd::Zero(n, static_cast<Index>(channels.size()));
@@ -265,8 +265,7 @@ Projected project(std::span<const Target> channels, const VectorXd& log_variance
     const Eigen::HouseholderQR<MatrixXd> qr(basis);
     const MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
     const VectorXd rotated = qr.householderQ().transpose() * target.value();
-    const VectorXd w = any_sign ? VectorXd(r.colPivHouseholderQr().solve(rotated.head(n)))
-                                : solve_non_negative(r, rotated.head(n));
+    const VectorXd w = solve_non_negative(r, rotated.head(n));
 
     const VectorXd residual = target.value() - basis * w;
     out.weights.col(static_cast<Index>(c)) = w;

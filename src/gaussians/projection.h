@@ -46,9 +46,9 @@ struct Projected {
   Eigen::VectorXd gradient;
 };
 
-/// Returns the best weights for the given log-variances (>= 0 unless any_sign), and the slopes for the next
+/// Returns the best weights for the given log-variances >= 0, and the slopes for the next
 /// step of the search.
-Projected project(std::span<const Target> channels, const Eigen::VectorXd& log_variance, bool any_sign);
+Projected project(std::span<const Target> channels, const Eigen::VectorXd& log_variance);
 
 /// Returns the w >= 0 that minimises |A w - b| [LH74]. A has few columns and full column rank, or nearly so.
 Eigen::VectorXd solve_non_negative(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "gaussians/algebra.h"
 #include "gaussians/exchange.h"
 #include "gaussians/fit.h"
 #include "gaussians/known.h"
