@@ -69,10 +69,11 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
     instance.look = on_device.look;
     instance.sky = on_device.sky;
     instance.first_mesh = setup.plan.models[head.model].first_mesh;
-    if (!outputs.map_places.empty()) instance.map_places = outputs.map_places[data.instances.size()];
-    if (setup.technique->has_light_maps)
+    if (!outputs.map_places.empty()) {
+      instance.map_places = outputs.map_places[data.instances.size()];
       instance.mapped_terms =
           techniques::mapped_terms_of(setup.plan, setup.plan.models[head.model], instance.map_side);
+    }
     data.instances.push_back(std::move(instance));
   }
   return data;

@@ -241,6 +241,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
   if (setup.technique->has_light_maps) {
     plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
     plan.mask = s.quality.mask.value_or(BlurMask::depth);
+    plan.all_mapped = setup.technique->as_published;
   }
   if (setup.technique->has_light_maps && !setup.technique->as_published) {
     plan.progressive = s.quality.maps == LightMaps::progressive;

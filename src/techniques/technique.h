@@ -111,6 +111,7 @@ struct FrameSettings {
   /// Texels are lit by a compute pass, from maps of the triangles that they show; not those of a host's
   /// light.
   bool texel_maps = false;
+  bool all_mapped = false;   ///< every term is read from its map, whatever T
   bool progressive = false;  ///< wide terms are kept in smaller maps, see passes::Downsample
   bool cascade = false;      ///< wide to narrow, one map for the sum: passes/cascade/; with `progressive`
   bool visibility = false;   ///< also makes the map that `output.show` "visibility" shows
@@ -145,7 +146,9 @@ struct FrameSettings {
   bool host_lights() const { return host && host->irradiance; }
   /// Where a map is smaller than T_max, narrow terms are lit per pixel: passes::direct_share(). Light that a
   /// host draws is known in the maps alone; a host that reads the sum of a cascade reads all of it there.
-  bool mixes() const { return optimise.depth && !host_lights() && !(cascade && host && host->scattered); }
+  bool mixes() const {
+    return optimise.depth && !all_mapped && !host_lights() && !(cascade && host && host->scattered);
+  }
   /// Maps hold the terms that pixels read, and no others: mapped_terms.h. A host that reads the blurred light
   /// reads all of it.
   bool terms_by_need() const { return mixes() && !(host && host->scattered); }

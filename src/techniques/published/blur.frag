@@ -45,7 +45,7 @@ vec4 light_at(ivec2 p) {
 
 // Adds a texel unless it is unlit or of another chart; returns its weight.
 float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
-  const float used = abs(texel.a) == chart ? weight : 0.0;
+  const float used = texel.a == chart ? weight : 0.0;
   sum += used * texel.rgb;
   return used;
 }
@@ -55,7 +55,7 @@ void main() {
   const vec4 centre = imageLoad(light_in, p);
   if (alpha_test && centre.a == 0.0) discard;  // listing 3
 
-  const float chart = abs(centre.a);  // negative beside lit texels, see border.comp
+  const float chart = centre.a;
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
   const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
   const float texels = float(io.side);

@@ -12,23 +12,6 @@ namespace dermis::techniques::papers {
 
 using passes::Bindings;
 
-Border::Out Border::declare(frame::Declare& d) {
-  compute(d, "published/border.comp");
-  d.write(in.light);
-  d.sample(in.stretch);
-  return {};
-}
-
-void Border::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  if (!is_lit(frame, settings.object)) return;
-  Bindings()
-      .add("light", resources.storage(in.light))
-      .add("stretch", resources.nearest(in.stretch))
-      .bind(cmd, pipeline());
-  const std::uint32_t side = used_side(frame, settings.object);
-  dispatch(cmd, io::SquareIo{side}, side, side);
-}
-
 Seams::Out Seams::declare(frame::Declare& d) {
   compute(d, "published/seams.comp");
   if (settings.of_stretch) d.runs(frame::Runs::once);
@@ -37,9 +20,7 @@ Seams::Out Seams::declare(frame::Declare& d) {
 }
 
 void Seams::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const bool spreads =
-      is_lit(frame, settings.object) && passes::terms_of(frame, settings.object).first_step <= settings.step;
-  if (!settings.of_stretch && !spreads) return;
+  if (!settings.of_stretch && !is_lit(frame, settings.object)) return;
   const std::uint32_t side =
       settings.of_stretch ? resources.texture(in.target).desc().width : used_side(frame, settings.object);
 
@@ -85,7 +66,6 @@ Blur::Out Blur::declare(frame::Declare& d) {
   d.colour(in.target);
   if (in.depth_mask.valid()) d.depth(in.depth_mask);
   d.read(in.light);
-  d.read(in.start);
   d.sample(in.stretch);
   return {};
 }
@@ -104,20 +84,15 @@ void Blur::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const std::uint32_t first_step = passes::terms_of(frame, settings.object).first_step;
-  if (!is_lit(frame, settings.object) || first_step > settings.number) return;
-
-  // The first step of this object starts from the light of whole texels.
-  const bool begins = first_step == settings.number;
+  if (!is_lit(frame, settings.object)) return;
   Bindings()
-      .add("light_in", resources.storage(begins ? in.start : in.light))
+      .add("light_in", resources.storage(in.light))
       .add("stretch", resources.nearest(in.stretch))
       .add("Kernels", kernels_)
       .bind(cmd, *pipeline_);
-  const double variance_mm2 = begins ? settings.step.total_mm2 : settings.step.variance_mm2;
-  cmd.push(*pipeline_, io::PaperBlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
+  cmd.push(*pipeline_, io::PaperBlurIo{.variance_mm2 = static_cast<float>(settings.variance_mm2),
                                        .axis = settings.axis,
-                                       .texel_averaged = begins || settings.number == 0 ? 1u : 0u,
+                                       .texel_averaged = settings.first ? 1u : 0u,
                                        .side = used_side(frame, settings.object)});
 
   const gpu::ColourTarget colour{.texture = &resources.texture(in.target), .clear = passes::no_light};
@@ -131,16 +106,14 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
 JoinThrough::Out JoinThrough::declare(frame::Declare& d) {
   compute(d, "published/through.comp");
   d.sample(in.light);
-  d.sample(in.start);
   d.write(in.through);
   return {};
 }
 
 void JoinThrough::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   if (!is_lit(frame, settings.object)) return;
-  const bool has_spread = passes::terms_of(frame, settings.object).first_step < settings.next_step;
   Bindings()
-      .add("light", resources.nearest(has_spread ? in.light : in.start))
+      .add("light", resources.nearest(in.light))
       .add("through", resources.storage(in.through))
       .bind(cmd, pipeline());
   const std::uint32_t side = used_side(frame, settings.object);

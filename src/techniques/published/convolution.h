@@ -10,27 +10,12 @@
 
 namespace dermis::techniques::papers {
 
-/// Fills unlit texels beside lit ones: border.comp.
-class Border : public passes::ComputePass {
- public:
-  struct Settings {
-    Object object;
-  } settings;
-  struct In {
-    frame::TextureId light, stretch;  ///< `light` is changed in place
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
 /// Refreshes the texels beside seams: seams.comp, with the list that scene/gutters.h makes.
 class Seams : public passes::ComputePass {
  public:
   struct Settings {
     Object object;
-    bool of_stretch = false;   ///< `target` is a stretch map, which is made once
-    std::uint32_t step = ~0u;  ///< leaves out objects whose convolutions begin after this one
+    bool of_stretch = false;  ///< `target` is a stretch map, which is made once
   } settings;
   struct In {
     frame::TextureId target;  ///< changed in place
@@ -63,15 +48,13 @@ class Blur {
  public:
   struct Settings {
     Object object;
-    Step step;
-    std::uint32_t number = 0;  ///< of the step
-    std::uint32_t axis = 0;    ///< 0, then 1
-    bool alpha_test = false;   ///< unlit texels are skipped by their alpha
+    double variance_mm2 = 0;  ///< of the step
+    bool first = false;       ///< its light is that of whole texels
+    std::uint32_t axis = 0;   ///< 0, then 1
+    bool alpha_test = false;  ///< unlit texels are skipped by their alpha
   } settings;
   struct In {
-    frame::TextureId light;  ///< after the step before
-    frame::TextureId start;  ///< before any step: an object may begin with this one, by its total_mm2
-    frame::TextureId stretch, target;
+    frame::TextureId light, stretch, target;
     frame::TextureId depth_mask;  ///< valid: it skips unlit texels
   } in;
   struct Out {};
@@ -89,11 +72,10 @@ class JoinThrough : public passes::ComputePass {
  public:
   struct Settings {
     Object object;
-    std::uint32_t next_step = 0;
   } settings;
   struct In {
-    frame::TextureId light, start;  ///< as Blur
-    frame::TextureId through;       ///< changed in place to the sum
+    frame::TextureId light;    ///< after the step before
+    frame::TextureId through;  ///< changed in place to the sum
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/published/final.h"
 
-#include <cmath>
-
 #include "frame/resources.h"
 #include "passes/draw_skin.h"
 #include "passes/targets.h"
@@ -16,88 +14,52 @@ Final::Out Final::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   for (const frame::TextureId light : in.lights) d.sample(light);
   d.sample(in.shadow);
-  if (settings.through && in.entering.valid()) d.sample(in.entering);
   d.colour(in.colour);
   d.depth(in.depth);
   return {};
 }
 
-std::vector<Final::Lit> Final::ways_to_light() const {
-  std::vector<Lit> ways{Lit::on_map};
-  if (settings.mixes || settings.part.unscattered != gaussians::Rgb{}) ways.push_back(Lit::mixed);
-  if (settings.mixes) ways.push_back(Lit::at_pixel);
-  if (settings.part.off_map) ways.push_back(Lit::off_map);
-  return ways;
-}
-
-gpu::GraphicsDesc Final::desc_of(Lit lit) const {
-  const auto terms = static_cast<std::uint32_t>(in.lights.size());
-  const bool on_map = lit == Lit::on_map || lit == Lit::mixed;
-  gpu::GraphicsDesc desc{.vertex = "published/final.vert",
-                         .fragment = through(lit) ? "published/final_through.frag" : "published/final.frag",
-                         .constants = {{"term_count", on_map ? terms : 0u},
-                                       {"direct", lit != Lit::on_map ? 1u : 0u},
-                                       {"environment", settings.environment ? 1u : 0u},
-                                       {"soft_shadows", settings.soft_shadows ? 1u : 0u},
-                                       {"off_map", lit == Lit::off_map ? 1u : 0u}},
-                         .colour_formats = {settings.format.colour},
-                         .depth_format = settings.format.depth,
-                         .samples = settings.samples,
-                         .depth_test = true,
-                         .depth_write = true,
-                         .depth_compare = settings.format.nearer()};
-  if (!through(lit)) return desc;
-  desc.constants.emplace_back("through_terms", terms);
-  desc.constants.emplace_back("entering_stored", in.entering.valid() ? 1u : 0u);
-  return desc;
+gpu::GraphicsDesc Final::desc_of(bool on_map) const {
+  const bool direct = !on_map || settings.part.unscattered != gaussians::Rgb{};
+  return {.vertex = "published/final.vert",
+          .fragment = "published/final.frag",
+          .constants = {{"term_count", on_map ? static_cast<std::uint32_t>(in.lights.size()) : 0u},
+                        {"direct", direct ? 1u : 0u},
+                        {"environment", settings.environment ? 1u : 0u},
+                        {"soft_shadows", settings.soft_shadows ? 1u : 0u},
+                        {"off_map", on_map ? 0u : 1u}},
+          .colour_formats = {settings.format.colour},
+          .depth_format = settings.format.depth,
+          .samples = settings.samples,
+          .depth_test = true,
+          .depth_write = true,
+          .depth_compare = settings.format.nearer()};
 }
 
 void Final::prepare(gpu::PipelineLibrary& library) {
-  for (const Lit lit : ways_to_light())
+  for (const bool on_map : {true, false})
     for (std::size_t number = 0; number < passes::SkinKind::count; ++number) {
-      if (!settings.part.kinds[number]) continue;
+      if (!settings.part.kinds[number] || (!on_map && !settings.part.off_map)) continue;
       const passes::SkinKind kind{
           .cut_out = (number & 4) != 0, .emits = (number & 2) != 0, .detailed = (number & 1) != 0};
-      gpu::GraphicsDesc desc = desc_of(lit);
+      gpu::GraphicsDesc desc = desc_of(on_map);
       desc.constants.emplace_back("cut_out", kind.cut_out ? 1u : 0u);
       desc.constants.emplace_back("emits", kind.emits ? 1u : 0u);
       desc.constants.emplace_back("detailed", kind.detailed ? 1u : 0u);
 
       for (const bool double_sided : {false, true}) {
         desc.cull = double_sided ? gpu::Cull::none : gpu::Cull::back;
-        pipelines_[lit][kind.index()][double_sided] = &library.graphics(desc);
+        pipelines_[on_map][kind.index()][double_sided] = &library.graphics(desc);
       }
     }
   samplers_ = passes::LightingSamplers(library);
-  if (settings.through) through_ = passes::ThroughBindings(library, {*settings.through});
-}
-
-float Final::share_at_pixel(std::size_t term, const FrameData& frame) const {
-  if (!settings.mixes) return 0;
-  const double sigma_mm = std::sqrt(settings.part.profile.terms[term].variance_mm2);
-  return passes::share_at_pixel(static_cast<float>(sigma_mm),
-                                static_cast<float>(settings.part.mean_texels_per_mm), settings.largest_side,
-                                used_side(frame, settings.object));
-}
-
-Final::Lit Final::lit_of(const FrameData& frame, bool on_map) const {
-  if (!on_map) return Lit::off_map;
-  bool mixed = settings.part.unscattered != gaussians::Rgb{}, mapped = false;
-  for (std::size_t i = 0; i < in.lights.size(); ++i) {
-    const float share = share_at_pixel(i, frame);
-    mixed = mixed || share > 0;
-    mapped = mapped || share < 1;
-  }
-  if (!mapped) return Lit::at_pixel;
-  return mixed ? Lit::mixed : Lit::on_map;
 }
 
 io::PaperFinalIo Final::io_of(const FrameData& frame) const {
   io::PaperFinalIo io{.weights = {}, .map_side = used_side(frame, settings.object), .slot = 0};
   for (std::size_t i = 0; i < in.lights.size(); ++i) {
     const auto& [r, g, b] = settings.part.profile.terms[i].weight;
-    io.weights[i] = (1 - share_at_pixel(i, frame)) *
-                    glm::vec3(static_cast<float>(r), static_cast<float>(g), static_cast<float>(b));
+    io.weights[i] = glm::vec3(static_cast<float>(r), static_cast<float>(g), static_cast<float>(b));
   }
   return io;
 }
@@ -111,7 +73,6 @@ void Final::offer(passes::Bindings& bindings, const frame::Resources& resources,
   bindings.add("Frame", frame.frame_io);
   samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
   samplers_.offer_sky(bindings, instance, mesh_in_asset(frame, settings.object));
-  if (settings.through) through_.offer(bindings, resources, in.entering, in.shadow, 0);
 
   // A binding without a term is never read, but a sampled texture must be bound.
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -132,7 +93,7 @@ void Final::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
         [&](const GpuDraw& draw, const GpuMaterial& material) {
           const passes::SkinKind kind{
               .cut_out = material.cut_out, .emits = material.emits, .detailed = material.detailed};
-          return pipelines_.at(lit_of(frame, draw.on_map))[kind.index()][material.double_sided];
+          return pipelines_.at(draw.on_map)[kind.index()][material.double_sided];
         },
         [io = io_of(frame)](const GpuMaterial&) { return io; },
         passes::first_corners(instance, mesh_in_asset(frame, settings.object)));
@@ -143,7 +104,7 @@ void Final::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
 UnshadedReads::Out UnshadedReads::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
   d.runs(frame::Runs::for_statistics);
-  for (const frame::TextureId light : in.lights) d.sample(light);
+  d.sample(in.light);
   d.depth(in.depth);
   d.write(in.counters);
   return {};
@@ -170,7 +131,7 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
   const gpu::Texture& depth = resources.texture(in.depth);
   passes::Bindings bindings;
   bindings.add("Frame", frame.frame_io)
-      .add("light_0", resources.nearest(in.lights[passes::terms_of(frame, settings.object).first_read]))
+      .add("light_0", resources.nearest(in.light))
       .add("Counters", resources.buffer(in.counters));
   const io::PaperFinalIo io{
       .weights = {}, .map_side = used_side(frame, settings.object), .slot = settings.slot};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The final pass, [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6: the weighted sum of the irradiance maps, the
-// rest of the albedo, and specular. THROUGH: light through the body where terms are lit per pixel.
+// rest of the albedo, and specular.
 #include "techniques/published/final_io.h"
 #include "shared/scene_io.h"
 layout(push_constant, scalar) uniform Push { PaperFinalIo io; };
@@ -14,11 +14,10 @@ layout(location = 0) out vec4 out_radiance;
 #include "techniques/published/lobe.glsl"
 #include "shaders/skin_answer.glsl"
 #include "shared/gutters_io.h"
-#ifdef THROUGH
-#include "shaders/skin_through.glsl"
-#endif
 layout(constant_id = 0) const int term_count = 6;
-layout(constant_id = 1) const bool direct = false;  // what the weights lack of 1 is lit per pixel
+// What the weights lack of 1 is lit at the pixel. Departure, for what no map holds: light that leaves where
+// it entered (a term without width), and skin that has no place on the map, which does not scatter then.
+layout(constant_id = 1) const bool direct = false;
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
 layout(binding = 16) uniform sampler2D light_2;
@@ -30,45 +29,28 @@ layout(binding = 21) uniform sampler2D light_7;
 #include "shaders/light_left.glsl"
 #include "techniques/published/map_point.glsl"
 
-// Returns whether a term is read from its map. One without weight may not have been written: 0 times NaN is
-// NaN.
-bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3(float(nothing()))); }
-
-vec3 light_of(sampler2D light, vec2 at) {
-  return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
+// Departure: of the four texels those that hold light are read. Beside what is culled or clipped [JG08] reads
+// texels that were cleared, too, and the skin there is dark: 0.71 of a white furnace.
+vec3 light_of(sampler2D light, vec2 at, bool whole) {
+  return whole ? textureLod(light, at, 0.0).rgb : light_left(light, at);
 }
 
 // [JG08] eq. 2, [DLE07] sec. 3.4: R = sum_i w_i G(v_i), of light that has been convolved by each. Already
 // times 2^EV / pi.
 vec3 scattered() {
   const vec2 at = map_point() / vec2(textureSize(light_0, 0));
+  const bool whole = !cut_out && all(notEqual(textureGather(light_0, at, 3), vec4(0.0)));
   vec3 sum = vec3(0.0);
-  if (is_read(0)) sum += io.weights[0] * light_of(light_0, at);
-  if (is_read(1)) sum += io.weights[1] * light_of(light_1, at);
-  if (is_read(2)) sum += io.weights[2] * light_of(light_2, at);
-  if (is_read(3)) sum += io.weights[3] * light_of(light_3, at);
-  if (is_read(4)) sum += io.weights[4] * light_of(light_4, at);
-  if (is_read(5)) sum += io.weights[5] * light_of(light_5, at);
-  if (is_read(6)) sum += io.weights[6] * light_of(light_6, at);
-  if (is_read(7)) sum += io.weights[7] * light_of(light_7, at);
+  if (term_count > 0) sum += io.weights[0] * light_of(light_0, at, whole);
+  if (term_count > 1) sum += io.weights[1] * light_of(light_1, at, whole);
+  if (term_count > 2) sum += io.weights[2] * light_of(light_2, at, whole);
+  if (term_count > 3) sum += io.weights[3] * light_of(light_3, at, whole);
+  if (term_count > 4) sum += io.weights[4] * light_of(light_4, at, whole);
+  if (term_count > 5) sum += io.weights[5] * light_of(light_5, at, whole);
+  if (term_count > 6) sum += io.weights[6] * light_of(light_6, at, whole);
+  if (term_count > 7) sum += io.weights[7] * light_of(light_7, at, whole);
   return sum;
 }
-
-#ifdef THROUGH
-// Returns the transmitted light that the maps would show, for the part of the terms lit here: terms of a
-// group share their mean.
-vec3 through_share(LitThrough r) {
-  vec3 sum = vec3(0.0), mean = vec3(0.0);
-  for (int g = 0; g < TRANSMISSION_GROUPS; ++g) {
-    mean += joining(r, g);
-    vec3 share = transmission.group_weight[g];
-    for (int i = 0; i < term_count; ++i)
-      if (transmission.group[i] == uint(g)) share -= io.weights[i];
-    sum += share * mean;
-  }
-  return sum;
-}
-#endif
 
 // s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats.
 vec3 skin_radiance(ShadingPoint s) {
@@ -77,12 +59,7 @@ vec3 skin_radiance(ShadingPoint s) {
   const SkinSpecular spec = skin_specular(s);
   const SkinView view = skin_view(n, v, spec);
   const vec3 albedo = skin_albedo(s);
-#ifdef THROUGH
-  const LitThrough r = lit_through(s, n, spec, view);
-  const LitSkin lit = r.skin;
-#else
   const LitSkin lit = lit_skin(s, n, spec, direct, view);
-#endif
 
   // [DLE07] sec. 3.4: the part of the albedo that acts after scattering.
   vec3 diffuse = vec3(0.0);
@@ -91,11 +68,7 @@ vec3 skin_radiance(ShadingPoint s) {
     vec3 share = vec3(1.0);
     for (int i = 0; i < term_count; ++i) share -= io.weights[i];
     const vec3 entering = lit.entering + entering_surroundings(s, n, within_triangle(in_unwrap));
-    vec3 leaving = share * entering * albedo;
-#ifdef THROUGH
-    leaving += through_share(r) * albedo_power(albedo, 1.0 - material.mix_before);
-#endif
-    diffuse += leaving * (frame.radiance_scale / pi);
+    diffuse += share * entering * albedo * (frame.radiance_scale / pi);
   }
 
   // Kelemen and Szirmay-Kalos, GPU Gems 3, ch. 14.3, and what it reflects does not leave: ch. 14.4.6.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "passes/lighting.h"
-#include "passes/transmission.h"
 #include "techniques/published/final_io.h"
 #include "techniques/published/object.h"
 #include "techniques/technique.h"
@@ -20,17 +19,14 @@ class Final {
   struct Settings {
     Object object;
     SkinPart part;
-    std::uint32_t samples = 1;       ///< of the targets
-    passes::PictureFormat format;    ///< of the targets
-    std::uint32_t largest_side = 0;  ///< T_max
-    bool clear = false;              ///< this pass is the first to draw into them
+    std::uint32_t samples = 1;     ///< of the targets
+    passes::PictureFormat format;  ///< of the targets
+    bool clear = false;            ///< this pass is the first to draw into them
     bool environment = false, soft_shadows = false;
-    bool mixes = false;  ///< narrow terms are lit per pixel where T is smaller than T_max
-    std::optional<passes::ThroughMesh> through;
   } settings;
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F, one per term of the profile
-    frame::TextureId shadow, entering;
+    frame::TextureId shadow;
     frame::TextureId colour, depth;
   } in;
   struct Out {};
@@ -39,20 +35,14 @@ class Final {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  // How a draw is lit; `off_map`: its triangles have no chart of the unwrap, and are lit without scattering.
-  enum class Lit : std::uint8_t { on_map, mixed, at_pixel, off_map };
-  std::vector<Lit> ways_to_light() const;
-  Lit lit_of(const FrameData& frame, bool on_map) const;
-  float share_at_pixel(std::size_t term, const FrameData& frame) const;
-  bool through(Lit lit) const { return settings.through && lit != Lit::on_map; }
-  gpu::GraphicsDesc desc_of(Lit lit) const;
+  gpu::GraphicsDesc desc_of(bool on_map) const;
   io::PaperFinalIo io_of(const FrameData& frame) const;
   void offer(passes::Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const;
 
-  std::map<Lit, std::array<std::array<const gpu::Pipeline*, 2>, passes::SkinKind::count>>
-      pipelines_;  // [kind of material][double sided]
+  using OfMaterial = std::array<std::array<const gpu::Pipeline*, 2>, passes::SkinKind::count>;
+  // [draw has a place on the map][kind of material][double sided]
+  std::map<bool, OfMaterial> pipelines_;
   passes::LightingSamplers samplers_;
-  passes::ThroughBindings through_;
 };
 
 /// Counts the visible fragments whose read weighs a texel that was never lit, for the statistics:
@@ -66,7 +56,7 @@ class UnshadedReads {
     std::uint32_t slot = 0;  ///< of the counters
   } settings;
   struct In {
-    std::vector<frame::TextureId> lights;  ///< as Final; the first that is read
+    frame::TextureId light;  ///< of a term
     frame::TextureId depth;
     frame::BufferId counters;
   } in;

@@ -87,10 +87,9 @@ const std::vector<float>& kernel_table() {
 std::vector<Step> steps_of(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
   std::vector<Step> steps;
   const double first_sigma = max_sigma / max_texels_per_mm;
-  double done_mm2 = 0, total_mm2 = 0;
+  double done_mm2 = 0;
   const auto add = [&](double to_mm2, bool ends_term) {
-    total_mm2 += to_mm2 - done_mm2;
-    steps.push_back({.variance_mm2 = to_mm2 - done_mm2, .total_mm2 = total_mm2, .ends_term = ends_term});
+    steps.push_back({.variance_mm2 = to_mm2 - done_mm2, .ends_term = ends_term});
     done_mm2 = to_mm2;
   };
 
@@ -108,8 +107,8 @@ std::vector<Step> steps_of(const gaussians::SumOfGaussians& profile, double max_
   return steps;
 }
 
-int seam_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm, double first_mm2) {
-  double widest_mm2 = first_mm2;
+int seam_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
+  double widest_mm2 = 0;
   for (const Step& step : steps_of(profile, max_texels_per_mm))
     widest_mm2 = std::max(widest_mm2, step.variance_mm2);
   const double reach = std::ceil(taps / max_sigma * std::sqrt(widest_mm2) * max_texels_per_mm) + 2;

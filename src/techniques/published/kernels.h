@@ -16,7 +16,6 @@ const std::vector<float>& kernel_table();
 /// One convolution along both axes.
 struct Step {
   double variance_mm2 = 0;  ///< that it adds
-  double total_mm2 = 0;     ///< with all steps before it
   bool ends_term = false;   ///< the light after it is that of a term of the profile
 };
 
@@ -26,8 +25,7 @@ struct Step {
 /// The first is at most two texels wide where the map is densest.
 std::vector<Step> steps_of(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 
-/// Returns how many texels beside a seam the widest step reads, at most 96. first_mm2: of the step with which
-/// a chain starts that leaves narrow terms out.
-int seam_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm, double first_mm2);
+/// Returns how many texels beside a seam the widest step reads, at most 96.
+int seam_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 
 }  // namespace dermis::techniques::papers

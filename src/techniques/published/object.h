@@ -17,9 +17,9 @@ inline const passes::GpuMesh& mesh_of(const FrameData& frame, const Object& obje
   return instance_of(frame, object).scene->skin[mesh_in_asset(frame, object)];
 }
 
-/// Returns whether the object is lit in this frame: the picture shows it, and reads some of its light maps.
+/// Returns whether the object is lit in this frame. Nothing is spent on heads wholly outside the picture.
 inline bool is_lit(const FrameData& frame, const Object& object) {
-  return instance_of(frame, object).visible && passes::terms_of(frame, object).any;
+  return instance_of(frame, object).visible;
 }
 
 /// Returns T, the texels of a side that this frame uses.

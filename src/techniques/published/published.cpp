@@ -82,7 +82,7 @@ class AddObject {
 
   void add() {
     add_irradiance();
-    add_masks();
+    add_mask();
     add_convolutions();
     add_final();
   }
@@ -93,11 +93,10 @@ class AddObject {
     return several ? fmt::format("{} batch {}", what, number_) : std::string(what);
   }
 
-  void add_count(std::string_view what, ObjectCounter which, bool absolute) {
+  void add_count(std::string_view what, ObjectCounter which) {
     plan_->add<passes::Count>(name(what), {maps_->irradiance, screen_->counters()},
                               {.slot = object_counter(*s_, 0, part_->in_model, which),
                                .slots_per_instance = counters_of_object * s_->most_meshes(),
-                               .absolute = absolute,
                                .squares = {object_}});
   }
 
@@ -117,17 +116,13 @@ class AddObject {
     if (through_)
       plan_->add<MissedLight>(name("count transmission misses"), {screen_->counters()},
                               {mesh, counter_missed_light});
-    add_count("count texels", counter_lit_texels, false);
+    add_count("count texels", counter_lit_texels);
   }
 
-  void add_masks() {
+  // Seams, and what marks the texels that convolutions skip.
+  void add_mask() {
     plan_->add<Seams>(name("irradiance gutters"), {maps_->irradiance}, {.object = object_});
-    if (mask_of(*s_) != Mask::none) {
-      plan_->add<Border>(name("dilate"), {maps_->irradiance, stretch_}, {object_});
-      for (std::size_t g = 0; g < joining_.size(); ++g)
-        plan_->add<Border>(name(fmt::format("dilate joining {}", g + 1)), {joining_[g], stretch_}, {object_});
-    }
-    add_count("count masked texels", counter_masked_texels, true);
+    add_count("count masked texels", counter_masked_texels);
     if (mask_of(*s_) == Mask::depth)
       plan_->add<DepthMask>(name("depth mask"), {maps_->irradiance, maps_->depth_mask}, {object_});
   }
@@ -137,44 +132,39 @@ class AddObject {
     const std::vector<std::size_t> groups = passes::transmission_groups(part_->profile.terms.size());
     const std::vector<Step> steps = steps_of(part_->profile, part_->max_texels_per_mm);
     frame::TextureId light = maps_->irradiance;
-    frame::TextureId start = light;  // of objects that begin with the next step
     std::size_t term = 0;
 
-    for (std::uint32_t i = 0; i < steps.size(); ++i) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
       // A group of terms begins: its light through the body joins.
       const bool term_begins = i > 0 && steps[i - 1].ends_term;
       for (std::size_t g = 1; term_begins && through_ && g < groups.size(); ++g)
-        if (groups[g] == term) light = start = join_through(g, i, light, start);
+        if (groups[g] == term) light = join_through(g, light);
 
-      add_step(steps[i], i, light, start, maps_->blurred[term]);
+      add_step(steps[i], i, light, maps_->blurred[term]);
       light = maps_->blurred[term];
-      if (!s_->terms_by_need()) start = light;
       if (steps[i].ends_term) ++term;
     }
   }
 
-  frame::TextureId join_through(std::size_t group, std::uint32_t next_step, frame::TextureId light,
-                                frame::TextureId start) {
+  frame::TextureId join_through(std::size_t group, frame::TextureId light) {
     const frame::TextureId joined = joining_[group - 1];
     const std::string what = fmt::format("add transmitted {}", group);
-    plan_->add<JoinThrough>(name(what), {light, start, joined}, {object_, next_step});
+    plan_->add<JoinThrough>(name(what), {light, joined}, {object_});
     plan_->add<Seams>(name(what + " gutters"), {joined}, {.object = object_});
     return joined;
   }
 
-  void add_step(const Step& step, std::uint32_t number, frame::TextureId light, frame::TextureId start,
-                frame::TextureId target) {
+  void add_step(const Step& step, std::size_t number, frame::TextureId light, frame::TextureId target) {
     Blur::Settings blur{.object = object_,
-                        .step = step,
-                        .number = number,
+                        .variance_mm2 = step.variance_mm2,
+                        .first = number == 0,
                         .axis = 0,
                         .alpha_test = mask_of(*s_) == Mask::alpha};
     const std::string what = fmt::format("blur {}", number);
-    plan_->add<Blur>(name(what + " u"), {light, start, stretch_, maps_->scratch, maps_->depth_mask}, blur);
+    plan_->add<Blur>(name(what + " u"), {light, stretch_, maps_->scratch, maps_->depth_mask}, blur);
     blur.axis = 1;
-    plan_->add<Blur>(name(what + " v"), {maps_->scratch, maps_->scratch, stretch_, target, maps_->depth_mask},
-                     blur);
-    plan_->add<Seams>(name(what + " gutters"), {target}, {.object = object_, .step = number});
+    plan_->add<Blur>(name(what + " v"), {maps_->scratch, stretch_, target, maps_->depth_mask}, blur);
+    plan_->add<Seams>(name(what + " gutters"), {target}, {.object = object_});
   }
 
   // [DLE07] sec. 3.4.
@@ -182,19 +172,16 @@ class AddObject {
     const std::vector<frame::TextureId> lights(
         maps_->blurred.begin(),
         maps_->blurred.begin() + static_cast<std::ptrdiff_t>(part_->profile.terms.size()));
-    plan_->add<Final>(name("final"),
-                      {lights, screen_->shadow(), screen_->entering(), screen_->colour(), screen_->depth()},
+    plan_->add<Final>(name("final"), {lights, screen_->shadow(), screen_->colour(), screen_->depth()},
                       {.object = object_,
                        .part = *part_,
                        .samples = s_->samples,
                        .format = s_->picture_format(),
-                       .largest_side = s_->map_size,
                        .clear = screen_->take_clear(),
                        .environment = s_->environment,
-                       .soft_shadows = s_->soft_shadows,
-                       .mixes = s_->mixes(),
-                       .through = through_});
-    plan_->add<UnshadedReads>(name("count unshaded reads"), {lights, screen_->depth(), screen_->counters()},
+                       .soft_shadows = s_->soft_shadows});
+    plan_->add<UnshadedReads>(name("count unshaded reads"),
+                              {lights.front(), screen_->depth(), screen_->counters()},
                               {object_, s_->samples, part_->cut_out, counter_unshaded_reads});
   }
 
@@ -309,15 +296,16 @@ FrameOutputs maps(passes::FramePlan& plan, const FrameSettings& s) {
 }  // namespace
 }  // namespace papers
 
-constinit const Technique published{
-    .name = "published",
-    .summary = "the papers' technique as they have it (d'Eon et al. 2007; Jimenez and Gutierrez 2008)",
-    .uses_profile = true,
-    .has_light_maps = true,
-    .as_published = true,
-    .build = papers::build,
-    .maps = papers::maps,
-    .report = papers::report,
-    .gutters = papers::gutters};
+constinit const Technique published{.name = "published",
+                                    .summary =
+                                        "the papers' technique as they have it (d'Eon et al. 2007; "
+                                        "Jimenez and Gutierrez 2008)",
+                                    .uses_profile = true,
+                                    .has_light_maps = true,
+                                    .as_published = true,
+                                    .build = papers::build,
+                                    .maps = papers::maps,
+                                    .report = papers::report,
+                                    .gutters = papers::gutters};
 
 }  // namespace dermis::techniques

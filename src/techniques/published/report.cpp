@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "techniques/mapped_terms.h"
 #include "techniques/published/blur_io.h"
 #include "techniques/published/kernels.h"
 
@@ -21,19 +20,12 @@ void add_object(FrameReport& report, const FrameSettings& settings, std::span<co
                 const DrawnHead& head, std::uint32_t mesh_in_model) {
   const std::uint32_t mesh = settings.models[head.model].first_mesh + mesh_in_model;
   const SkinPart& part = settings.skin[mesh];
-  const passes::MappedTerms mapped = mapped_terms(settings, mesh, head.side);
   const auto counted = [&](ObjectCounter which) -> std::uint64_t {
     return counters[object_counter(settings, head.head, mesh_in_model, which)];
   };
 
-  std::uint64_t convolutions = 0, terms = 0;
-  std::uint32_t number = 0;
-  for (const Step& step : steps_of(part.profile, part.max_texels_per_mm)) {
-    if (!mapped.any || number++ < mapped.first_step) continue;
-    convolutions += 2;
-    if (step.ends_term) ++terms;
-  }
-
+  const std::uint64_t terms = part.profile.terms.size(),
+                      convolutions = 2 * steps_of(part.profile, part.max_texels_per_mm).size();
   // With the alpha test fragments without light end early, but they start.
   const std::uint64_t at_once = mask_of(settings) == Mask::depth ? counted(counter_masked_texels)
                                                                  : std::uint64_t{head.side} * head.side;
@@ -67,21 +59,16 @@ std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const D
   std::vector<GutterSize> sizes;
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
     const SkinPart& part = settings.skin[mesh];
-    const std::vector<Step> steps = steps_of(part.profile, part.max_texels_per_mm);
     const auto add = [&](std::uint32_t side) {
-      const passes::MappedTerms mapped = mapped_terms(settings, mesh, side);
-      const bool begins_later = mapped.any && mapped.first_step > 0;
       const double texels_per_mm = std::max(part.max_uv_per_mm * side, 1e-6);
-      const double first_mm2 = begins_later ? steps[mapped.first_step].total_mm2 : 0;
-      sizes.push_back(
-          {.mesh = mesh, .side = side, .width_texels = seam_width(part.profile, texels_per_mm, first_mm2)});
+      sizes.push_back({.mesh = mesh, .side = side, .width_texels = seam_width(part.profile, texels_per_mm)});
     };
 
     add(settings.map_size);  // of the stretch map
     for (const DrawnHead& head : drawn) {
       const Model& model = settings.models[head.model];
       const bool has_mesh = mesh >= model.first_mesh && mesh - model.first_mesh < model.meshes;
-      if (has_mesh && mapped_terms(settings, mesh, head.side).any) add(head.side);
+      if (has_mesh) add(head.side);
     }
   }
   return sizes;

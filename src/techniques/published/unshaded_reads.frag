@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For each fragment that the final pass shades: counts the read if a texel that its bilinear read weighs
-// holds no light. Bilinear units resolve at most 1/256 of a texel: smaller weights count as none. Reads of
-// cut-out skin skip missing texels: of these, reads that find nothing count.
+// For each fragment that the final pass shades: counts the read if none of the texels that its bilinear read
+// weighs holds light. Bilinear units resolve at most 1/256 of a texel: smaller weights count as none.
 #version 460
 #include "shared/scene_io.h"
 #include "techniques/published/final_io.h"
@@ -21,14 +20,12 @@ void main() {
   const vec2 at = map_point() - 0.5;
   const ivec2 corner = ivec2(floor(at));
   const vec2 f = at - vec2(corner);
-  bool unshaded = false, shaded = false;
+  bool found = false;
   for (int k = 0; k < 4; ++k) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
     const ivec2 p = min(corner + d, ivec2(io.map_side - 1u));
-    const bool lit = texelFetch(light_0, p, 0) != vec4(0.0);
-    unshaded = unshaded || (weight > 1.0 / 256.0 && !lit);
-    shaded = shaded || (weight > 1.0 / 256.0 && lit);
+    found = found || (weight > 1.0 / 256.0 && texelFetch(light_0, p, 0) != vec4(0.0));
   }
-  if (cut_out ? !shaded : unshaded) atomicAdd(counters[io.slot], 1u);
+  if (!found) atomicAdd(counters[io.slot], 1u);
 }
