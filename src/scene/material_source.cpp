@@ -63,9 +63,10 @@ bool is_skin_name(const std::string& name) {
 bool may_be(const MaterialSource& m) { return m.says_skin.value_or(true); }
 bool is_named(const MaterialSource& m) { return may_be(m) && is_skin_name(m.material.name); }
 
-/// A name matches itself, whatever a shell would make of its characters.
+/// A name matches itself, whatever a shell would make of its characters. Patterns take letters of either
+/// case, as the names of skin that is not asked for do.
 bool matches(const std::string& pattern, const std::string& name) {
-  return pattern == name || fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+  return pattern == name || fnmatch(pattern.c_str(), name.c_str(), FNM_CASEFOLD) == 0;
 }
 
 std::vector<std::string> names_of(const std::vector<MaterialSource>& materials) {

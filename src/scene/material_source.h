@@ -43,7 +43,8 @@ void choose_skin(const std::string& file, const std::vector<std::string>& patter
 template <class MaterialOrConst, class Visit>
 void for_each_map(MaterialOrConst& m, const Visit& visit) {
   for (auto* map : {&m.base_colour_map, &m.emissive_map, &m.specular_colour_map}) visit(*map, true);
-  for (auto* map : {&m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.specular_map})
+  for (auto* map :
+       {&m.metallic_roughness_map, &m.normal_map, &m.occlusion_map, &m.specular_map, &m.transmission_map})
     visit(*map, false);
   for (auto* map : {&m.skin_settings.specular, &m.skin_settings.roughness, &m.skin_settings.displacement,
                     &m.skin_settings.detail})

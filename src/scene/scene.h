@@ -90,6 +90,7 @@ struct Material {
   bool unlit = false;
   float transmission =
       0;  ///< 0..1, part of what is not reflected that passes, in place of albedo; with blend
+  MapRef transmission_map;     ///< red; its mean is in `transmission` once it is decoded
   SkinMaterial skin_settings;  ///< only if skin
 };
 

@@ -116,6 +116,7 @@ struct MeshPrimitive {
   std::optional<DracoData> draco;
   std::string place;
   std::string fault;
+  std::string joints_fault;  ///< of its joints and weights: counts where the node has a skin
 };
 struct Mesh {
   std::string name;
@@ -135,6 +136,7 @@ struct Node {
   std::vector<double> weights;
   bool visible = true;  ///< with all below it
   std::string place;
+  std::string fault;  ///< of its place: counts where something is shown below it
 };
 struct Skin {
   int inverse_bind = -1;  ///< accessor

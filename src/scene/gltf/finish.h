@@ -30,6 +30,9 @@ void decode_images(const Document& document, Bytes& bytes, const ImageLimits& li
 /// map is one of roughness.
 void turn_glossiness(const std::vector<std::optional<float>>& factors, Scene& scene);
 
+/// Multiplies the transmission of materials by the mean of their maps. Warns of maps that are not even.
+void average_transmission(const std::string& file, Scene& scene);
+
 /// The nodes at which cameras and lights of a scene stand, in their order.
 struct ViewNodes {
   std::vector<int> cameras, lights;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// KHR_materials_pbrSpecularGlossiness has how smooth a material is in the alpha of a map.
+// What is made of maps once they are decoded. KHR_materials_pbrSpecularGlossiness has how smooth a material
+// is in the alpha of a map; of KHR_materials_transmission's map the mean counts.
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "scene/gltf/finish.h"
+#include "scene/gltf/lenient.h"
 
 namespace dermis::scene::gltf {
 namespace {
@@ -22,7 +24,34 @@ MapImage turned(const MapImage& glossiness, float factor) {
   return {glossiness.name + " as roughness", std::make_shared<const image::Image8>(std::move(roughness))};
 }
 
+std::pair<int, int> range_of_red(const image::Image8& map) {
+  std::pair<int, int> range{255, 0};
+  for (std::size_t i = 0; i < map.rgba.size(); i += 4)
+    range = {std::min<int>(range.first, map.rgba[i]), std::max<int>(range.second, map.rgba[i])};
+  return range;
+}
+
+float mean_of_red(const image::Image8& map) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < map.rgba.size(); i += 4) sum += map.rgba[i];
+  return static_cast<float>(sum) / (255.0f * static_cast<float>(map.rgba.size() / 4));
+}
+
 }  // namespace
+
+void average_transmission(const std::string& file, Scene& scene) {
+  for (Material& material : scene.materials) {
+    if (!material.transmission_map.present()) continue;
+    const image::Image8& map =
+        *scene.images[static_cast<std::size_t>(material.transmission_map.image)].pixels;
+    const auto [least, most] = range_of_red(map);
+    if (material.transmission > 0 && most - least > 2)
+      warn_at(file, fmt::format("material '{}'", material.name),
+              "lets light through by a map; the mean of the map counts everywhere");
+    material.transmission *= mean_of_red(map);
+    material.transmission_map = {};
+  }
+}
 
 void turn_glossiness(const std::vector<std::optional<float>>& factors, Scene& scene) {
   std::map<std::pair<int, float>, int> done;

@@ -90,6 +90,7 @@ Scene load(const std::filesystem::path& path, const LoadOptions& options) {
                  .budget_bytes = static_cast<std::uint64_t>(options.texture_budget_mb * 1e6)},
                 scene);
   turn_glossiness(glossiness, scene);
+  average_transmission(document.file, scene);
   steps.done();
 
   warn_of_size(document.file, scene);

@@ -153,7 +153,8 @@ void check_elements(const Value& where, const BufferView& view, std::uint64_t of
 
 Sparse read_sparse(const Document& document, const Value& value, const Accessor& accessor) {
   Sparse sparse;
-  sparse.count = value.at("count").count();
+  sparse.count = value.count_or("count", 0);
+  if (sparse.count == 0) return sparse;
   if (sparse.count > accessor.count)
     value.fail("count {} is more than the accessor's {}", sparse.count, accessor.count);
 

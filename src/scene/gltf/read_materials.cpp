@@ -100,10 +100,10 @@ void read_specular_glossiness(const Document& document, const Value& value, Mate
   material.metallic_roughness_map = map_member(document, value, "specularGlossinessTexture");
 }
 
-/// A shell in front of something, as a cornea.
-void read_transmission(const Value& value, Material& material) {
+/// A shell in front of something, as a cornea. Of its map the mean counts (average_transmission()).
+void read_transmission(const Document& document, const Value& value, Material& material) {
   material.transmission = factor(value, "transmissionFactor", 0);
-  if (value.has("transmissionTexture")) warn_at(value, "transmissionTexture is left out; its factor counts");
+  material.transmission_map = map_member(document, value, "transmissionTexture");
 }
 
 void read_material_extensions(const Document& document, const Value& value, MaterialSource& source) {
@@ -133,7 +133,7 @@ void read_material_extensions(const Document& document, const Value& value, Mate
   }
 
   if (const auto transmission = extension(value, "KHR_materials_transmission"))
-    read_transmission(*transmission, material);
+    read_transmission(document, *transmission, material);
   material.unlit = extension(value, "KHR_materials_unlit").has_value();
 }
 
@@ -153,10 +153,11 @@ MaterialSource read_material(const Document& document, const Value& value) {
 
   const std::optional<Value> pbr = value.find("pbrMetallicRoughness");
   const std::optional<Value> older = extension(value, "KHR_materials_pbrSpecularGlossiness");
-  if (pbr && pbr->is_object())
-    read_metallic_roughness(document, *pbr, material);
-  else if (older)
+  // Beside the extension it is what readers without the extension are to show.
+  if (older)
     read_specular_glossiness(document, *older, source);
+  else if (pbr && pbr->is_object())
+    read_metallic_roughness(document, *pbr, material);
   material.normal_map = map_member(document, value, "normalTexture", "scale");
   material.occlusion_map = map_member(document, value, "occlusionTexture", "strength");
   material.emissive = colour_member(value, "emissiveFactor", glm::vec3(0), largest_radiance);

@@ -72,15 +72,15 @@ void check_format(const Value& where, const std::string& semantic, const Accesso
                                a.normalized ? "normalized " : "", name_of(a.component)));
 }
 
-/// Returns whether there are no triangles, or others, without an attribute.
-bool is_needed(const std::string& semantic) {
-  return semantic == "POSITION" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_");
+bool is_of_joints(const std::string& semantic) {
+  return semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_");
 }
 
 /// Returns the attributes that can be read; of the others, those that the triangles can do without are left
-/// out. Throws InputError for a fault of the rest.
+/// out. Throws InputError for a fault of the positions; that of joints and weights is kept.
 template <class Check>
-Attributes read_attributes(const Document& document, const Value& value, const Check& check) {
+Attributes read_attributes(const Document& document, const Value& value, std::string& joints_fault,
+                           const Check& check) {
   Attributes attributes;
   for (const std::string& semantic : value.keys()) {
     int accessor = -1;
@@ -90,15 +90,17 @@ Attributes read_attributes(const Document& document, const Value& value, const C
     });
     if (fault.empty())
       attributes[semantic] = accessor;
-    else if (is_needed(semantic))
+    else if (semantic == "POSITION")
       check_fault(fault);
+    else if (is_of_joints(semantic))
+      joints_fault = fault;
     else
       warn_at(value, fmt::format("{} cannot be read, and is left out", semantic.substr(0, 40)));
   }
   return attributes;
 }
 
-Attributes read_vertices(const Document& document, const Value& value) {
+Attributes read_vertices(const Document& document, const Value& value, std::string& joints_fault) {
   const std::optional<Value> position = value.find("POSITION");
   std::uint64_t count = 0;
   if (position) {
@@ -107,7 +109,7 @@ Attributes read_vertices(const Document& document, const Value& value) {
   }
 
   Attributes attributes =
-      read_attributes(document, value, [&](const std::string& semantic, const Accessor& a) {
+      read_attributes(document, value, joints_fault, [&](const std::string& semantic, const Accessor& a) {
         const auto rule = rule_for(semantic, document.quantized);
         if (!rule) return;
         check_format(value, semantic, a, *rule);
@@ -117,8 +119,9 @@ Attributes read_vertices(const Document& document, const Value& value) {
   for (const std::string set : {"0", "1"}) {
     const bool joints = attributes.contains("JOINTS_" + set), weights = attributes.contains("WEIGHTS_" + set);
     if (joints == weights) continue;
-    warn_at(value, fmt::format("has {}_{} without {}_{}, which is left out", joints ? "JOINTS" : "WEIGHTS",
-                               set, joints ? "WEIGHTS" : "JOINTS", set));
+    if (joints_fault.empty())
+      warn_at(value, fmt::format("has {}_{} without {}_{}, which is left out", joints ? "JOINTS" : "WEIGHTS",
+                                 set, joints ? "WEIGHTS" : "JOINTS", set));
     attributes.erase((joints ? "JOINTS_" : "WEIGHTS_") + set);
   }
   return attributes;
@@ -179,7 +182,10 @@ void read_primitive(const Document& document, const Value& value, MeshPrimitive&
   primitive.mode = static_cast<int>(value.count_or("mode", 4, 0, 6));
   primitive.material = index_near(value, "material", document.materials.size(), "material");
   primitive.indices = value.index_or_none("indices", document.accessors.size(), "accessor");
-  primitive.attributes = read_vertices(document, value.at("attributes").object());
+  if (const auto attributes = value.find("attributes"))
+    primitive.attributes = read_vertices(document, attributes->object(), primitive.joints_fault);
+  else
+    warn_at(value, "has no attributes, and shows nothing");
   if (const auto draco = extension(value, "KHR_draco_mesh_compression"))
     primitive.draco = read_draco(document, *draco, primitive);
   check_indices(document, value, primitive);
@@ -225,7 +231,12 @@ void read_meshes(Document& document, const Value& root) {
 std::vector<double> read_weights(const Value& value, std::size_t targets) {
   const std::optional<Value> given = value.find("weights");
   if (!given || !given->is_array()) return {};
-  std::vector<double> weights = value.numbers("weights", 0);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < given->array_size(0); ++i) {
+    const Value weight = given->element(i);
+    if (!weight.is_number()) warn_at(weight, "is no number, and counts as 0");
+    weights.push_back(weight.is_number() ? weight.any_number() : 0);
+  }
   if (weights.size() != targets)
     warn_at(value, fmt::format("has {} weights for {} morph targets", weights.size(), targets));
   weights.resize(targets);

@@ -6,6 +6,7 @@
 
 #include "scene/gltf/document.h"
 #include "scene/gltf/lenient.h"
+#include "scene/gltf/place.h"
 
 namespace dermis::scene::gltf {
 
@@ -58,19 +59,34 @@ void read_place(const Value& value, Node& node) {
   node.local = node.transform->matrix();
 }
 
+std::vector<int> children_that_are_there(const Value& value, std::size_t nodes) {
+  const Value list = value.at("children");
+  warn_at(list, "name nodes that are not there, and are left out");
+  std::vector<int> children;
+  for (std::size_t i = 0; list.is_array() && i < list.array_size(0); ++i) {
+    if (!list.element(i).is_number()) continue;
+    const double number = list.element(i).any_number();
+    if (number >= 0 && number < static_cast<double>(nodes) && number == std::floor(number))
+      children.push_back(static_cast<int>(number));
+  }
+  return children;
+}
+
 Node read_node(const Document& document, const Value& value, std::size_t nodes, std::size_t skins) {
   Node node;
   node.place = value.place();
   node.name = text_near(value, "name", "");
-  read_place(value, node);
+  node.fault = fault_of([&] { read_place(value, node); });
   node.mesh = value.index_or_none("mesh", document.meshes.size(), "mesh");
-  node.skin = value.index_or_none("skin", skins, "skin");
+  node.skin =
+      node.mesh < 0 ? index_near(value, "skin", skins, "skin") : value.index_or_none("skin", skins, "skin");
   node.camera = index_near(value, "camera", document.cameras.size(), "camera");
   if (const auto light = extension(value, "KHR_lights_punctual"))
     node.light = index_near(*light, "light", document.lights.size(), "light");
   if (const auto visibility = extension(value, "KHR_node_visibility"))
     node.visible = boolean_near(*visibility, "visible", true);
-  node.children = value.indices("children", nodes, "node");
+  if (!fault_of([&] { node.children = value.indices("children", nodes, "node"); }).empty())
+    node.children = children_that_are_there(value, nodes);
 
   if (node.mesh < 0 && node.skin >= 0) warn_at(value, "has a skin but no mesh");
   if (node.mesh < 0) node.skin = -1;
@@ -133,8 +149,6 @@ void read_skin(const Document& document, const Value& value, Skin& skin) {
   check_fault(a.fault);
   if (a.columns != 4 || a.rows != 4 || a.component != Component::float32)
     value.fail("inverseBindMatrices must be MAT4 of FLOAT");
-  if (a.count < skin.joints.size())
-    value.fail("has {} inverseBindMatrices for {} joints", a.count, skin.joints.size());
 }
 
 /// A skin that cannot be used refuses the nodes that are drawn with it; one without joints leaves them where
@@ -190,6 +204,32 @@ void read_scenes(Document& document, const Value& root) {
     if (document.nodes[i].parent < 0) document.roots.push_back(static_cast<int>(i));
 }
 
+/// A place that cannot be read refuses what is shown below it, and the skins of which it is a joint.
+void check_places(const Document& document) {
+  std::vector<std::string> faults(document.nodes.size());  // of the node, or of one above it
+  bool any = false;
+  for (const int n : parents_first(document)) {
+    const Node& node = document.nodes[static_cast<std::size_t>(n)];
+    std::string& fault = faults[static_cast<std::size_t>(n)];
+    fault = node.fault;
+    if (fault.empty() && node.parent >= 0) fault = faults[static_cast<std::size_t>(node.parent)];
+    any |= !fault.empty();
+  }
+  if (!any) return;
+
+  for (const int n : shown_nodes(document)) {
+    const Node& node = document.nodes[static_cast<std::size_t>(n)];
+    const bool stands = (node.mesh >= 0 && node.skin < 0) || node.camera >= 0 || node.light >= 0;
+    if (stands) check_fault(faults[static_cast<std::size_t>(n)]);
+    if (node.mesh < 0 || node.skin < 0) continue;
+    for (const int joint : document.skins[static_cast<std::size_t>(node.skin)].joints)
+      check_fault(faults[static_cast<std::size_t>(joint)]);
+  }
+  for (const Node& node : document.nodes)
+    if (!node.fault.empty())
+      warn_at(document.file, node.place, "has a place that cannot be read, and that nothing shown needs");
+}
+
 }  // namespace
 
 std::vector<int> parents_first(const Document& document) {
@@ -212,6 +252,7 @@ void read_nodes(Document& document, const Value& root) {
   link_parents(document);
   read_skins(document, root);
   read_scenes(document, root);
+  check_places(document);
 }
 
 }  // namespace dermis::scene::gltf

@@ -81,8 +81,12 @@ class Matrices {
         source.inverse_bind >= 0 ? bytes_.floats(source.inverse_bind) : std::vector<float>{};
     for (std::size_t j = 0; j < source.joints.size(); ++j) {
       RigMatrix& matrix = rig_.matrices.emplace_back(RigMatrix{.node = source.joints[j]});
-      for (int k = 0; k < 16 && !bind.empty(); ++k)
-        matrix.bind[k / 4][k % 4] = double{bind[j * 16 + static_cast<std::size_t>(k)]};
+      // Nothing hangs on joints without a matrix: Frames::repair_weights().
+      const auto first = bind.begin() + static_cast<std::ptrdiff_t>(std::min(16 * j, bind.size()));
+      if (bind.size() < 16 * (j + 1) ||
+          !std::all_of(first, first + 16, [](float f) { return std::isfinite(f); }))
+        continue;
+      for (int k = 0; k < 16; ++k) matrix.bind[k / 4][k % 4] = double{first[k]};
     }
     return entry->second;
   }

@@ -105,7 +105,7 @@ Light read_light(const Value& value) {
     light.colour[i] = static_cast<float>(colour[static_cast<std::size_t>(i)]);
   light.colour *= static_cast<float>(number_near(value, "intensity", 1, 0, largest));
   if (!std::isfinite(light.colour.x + light.colour.y + light.colour.z))
-    value.fail("color times intensity is out of range");
+    light.colour = glm::clamp(light.colour, glm::vec3(0), glm::vec3(largest));
   if (value.has("range")) {
     light.range_m = static_cast<float>(number_near(value, "range", 0, 0));
     if (!(light.range_m > 0)) warn_at(value, "its range is not over 0, and it has no limit");

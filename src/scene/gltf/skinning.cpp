@@ -18,6 +18,12 @@ double sum_of_weights(const LocalMesh& mesh, std::size_t vertex) {
   return sum;
 }
 
+bool is_finite(const glm::dmat4& m) {
+  for (glm::length_t k = 0; k < 16; ++k)
+    if (!std::isfinite(m[k / 4][k % 4])) return false;
+  return true;
+}
+
 }  // namespace
 
 const std::vector<glm::dmat4>& JointMatrices::of(int node) {
@@ -30,11 +36,9 @@ const std::vector<glm::dmat4>& JointMatrices::of(int node) {
       skin.inverse_bind >= 0 ? bytes_.floats(skin.inverse_bind) : std::vector<float>{};
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     glm::dmat4 bind(1);
-    for (int k = 0; k < 16 && !inverse_bind.empty(); ++k) {
-      bind[k / 4][k % 4] = inverse_bind[j * 16 + k];
-      if (!std::isfinite(bind[k / 4][k % 4]))
-        throw input_error(document_.file, "skins[{}]: inverse bind matrix {} is not finite", number, j);
-    }
+    for (std::size_t k = 0; k < 16 && !inverse_bind.empty(); ++k)
+      bind[static_cast<glm::length_t>(k / 4)][static_cast<glm::length_t>(k % 4)] =
+          16 * j + k < inverse_bind.size() ? double{inverse_bind[16 * j + k]} : NAN;
     entry->second.push_back(world_[skin.joints[j]] * bind);
   }
   return entry->second;
@@ -45,6 +49,7 @@ Frames::Frames(const Document& document, const glm::dmat4& node_world, const std
 
 void Frames::repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) const {
   if (joints_.empty()) return;
+  check_fault(primitive.joints_fault);
   if (mesh.joints[0].empty() && mesh.joints[1].empty())
     return warn_at(document_.file, primitive.place,
                    "has no joints, though its node has a skin: it follows the node");
@@ -73,6 +78,16 @@ void Frames::repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) con
   }
   if (loose)
     warn_at(document_.file, primitive.place, "has vertices without weight, which hang on their first joint");
+
+  for (std::size_t set = 0; set < 2; ++set)
+    for (std::size_t i = 0; i < mesh.joints[set].size(); ++i) {
+      const auto joint = static_cast<std::size_t>(mesh.joints[set][i]);
+      if (mesh.weights[set][i] != 0 && !is_finite(joints_[joint]))
+        throw input_error(document_.file,
+                          "{}: vertices hang on joint {} of their skin, which has no inverse bind matrix, or "
+                          "one that is not finite",
+                          primitive.place, joint);
+    }
 }
 
 Frame Frames::at(const LocalMesh& mesh, std::size_t i) const {

@@ -12,8 +12,8 @@ class JointMatrices {
   /// Takes `world` from world_matrices. All arguments must outlive this.
   JointMatrices(const Document& document, Bytes& bytes, const std::vector<glm::dmat4>& world)
       : document_(document), bytes_(bytes), world_(world) {}
-  /// Returns the matrices of a node's skin, empty if it has none. Throws InputError for an inverse bind
-  /// matrix that is not finite.
+  /// Returns the matrices of a node's skin, empty if it has none; not finite where the skin's inverse bind
+  /// matrix is missing or is not.
   const std::vector<glm::dmat4>& of(int node);
 
  private:
@@ -29,7 +29,8 @@ class Frames {
   Frames(const Document& document, const glm::dmat4& node_world, const std::vector<glm::dmat4>& joints);
 
   /// Takes the weight of joints that the skin does not have; then hangs vertices without weight on their
-  /// first joint. Warns of both, and of a mesh that has no joints at all and follows its node.
+  /// first joint. Warns of both, and of a mesh that has no joints at all and follows its node. Throws
+  /// InputError where vertices hang on a joint whose matrix is not finite.
   void repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) const;
   const Frame& of_node() const { return rigid_; }  ///< without its skin
   /// Returns the frame of vertex i of a mesh whose weights were repaired.

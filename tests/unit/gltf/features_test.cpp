@@ -63,6 +63,22 @@ TEST(GltfNodes, HierarchyAndUnitScale) {
   expect_near(scene.primitives[0].vertices[1].position_m, {0, 0.12f, 0.5f});
 }
 
+TEST(GltfNodes, PlacesAreNeededWhereSomethingIsShownBelow) {
+  Builder b;
+  b.triangle();
+  b.json["nodes"].push_back({{"matrix", {1, 2, 3}}});
+  b.json["scenes"][0]["nodes"] = {0, 1};
+  const Warnings warnings;
+  EXPECT_EQ(b.error(), "");
+  EXPECT_TRUE(warnings.any_with("nodes[1]: has a place that cannot be read, and that nothing shown needs"))
+      << warnings.all();
+  b.json["nodes"][1]["children"] = {0};
+  b.json["scenes"][0]["nodes"] = {1};
+  EXPECT_ERROR(b.error(), "nodes[1].matrix");
+  b.json["nodes"][1]["extensions"] = {{"KHR_node_visibility", {{"visible", false}}}};
+  EXPECT_ERROR(b.error(), "there are no triangles");
+}
+
 TEST(GltfNodes, HiddenOnesAreLeftOutWithAllBelow) {
   Builder b;
   for (int i = 0; i < 3; ++i) b.triangle();
@@ -240,6 +256,35 @@ TEST(GltfMesh, SkinsFollowTheirJointsAsTheyStand) {
   const Warnings warnings;
   expect_near(b.load().primitives[0].vertices[1].position_m, {0.2f, 0, 2});
   EXPECT_TRUE(warnings.any_with("hang on joints which the skin does not have"));
+}
+
+// A joint without a matrix refuses what hangs on it, and no more.
+TEST(GltfMesh, MatricesOfJointsAreNeededWhereVerticesHang) {
+  Builder b;
+  b.triangle();
+  const int joints = b.accessor({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4", 5121);
+  const int first = b.accessor({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4"),
+            both = b.accessor({1, 0, 0, 0, 0.5f, 0.5f, 0, 0, 1, 0, 0, 0}, "VEC4"),
+            few = b.accessor({1, 0, 0, 0}, "VEC4");
+  Json& attributes = b.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = joints;
+  attributes["WEIGHTS_0"] = first;
+  std::vector<float> bind;
+  for (int i = 0; i < 16; ++i) bind.push_back(i % 5 == 0 ? 1.0f : 0.0f);
+  const int one_matrix = b.accessor(bind, "MAT4");
+  b.json["nodes"][0]["skin"] = 0;
+  b.json["nodes"].push_back({{"translation", {0, 0, 2}}});
+  b.json["nodes"].push_back(Json::object());
+  b.json["skins"] = Json::array({{{"joints", {1, 2}}, {"inverseBindMatrices", one_matrix}}});
+  expect_near(b.load().primitives[0].vertices[1].position_m, {0.2f, 0, 2});
+  attributes["WEIGHTS_0"] = both;
+  EXPECT_ERROR(b.error(), "vertices hang on joint 1 of their skin, which has no inverse bind matrix");
+
+  // Weights that cannot be read refuse the mesh where the node has a skin.
+  attributes["WEIGHTS_0"] = few;
+  EXPECT_ERROR(b.error(), "WEIGHTS_0 has 1 elements, others have 3");
+  b.json["nodes"][0].erase("skin");
+  EXPECT_EQ(b.error(), "");
 }
 
 }  // namespace dermis::scene::test

@@ -64,7 +64,8 @@ TEST(GltfMaterial, FactorsMapsAndExtensions) {
   EXPECT_EQ(scene.images[0].pixels->rgba, (std::vector<std::uint8_t>{255, 0, 0, 127}));
 }
 
-TEST(GltfMaterial, SpecularGlossinessIsReadWhereNothingNewerIs) {
+// As its extension says, what stands beside it is for readers without it.
+TEST(GltfMaterial, SpecularGlossinessCounts) {
   const auto older = [](const Json& members) {
     return Json{{"name", "skin"}, {"extensions", {{"KHR_materials_pbrSpecularGlossiness", members}}}};
   };
@@ -90,10 +91,14 @@ TEST(GltfMaterial, SpecularGlossinessIsReadWhereNothingNewerIs) {
   EXPECT_EQ(mapped.images[static_cast<std::size_t>(m.base_colour_map.image)].pixels->rgba,
             (std::vector<std::uint8_t>{255, 0, 0, 127}));
 
-  material["pbrMetallicRoughness"] = {{"roughnessFactor", 0.9}, {"metallicFactor", 0.5}};
-  const Material newer = with_material(material).load().materials[0];
-  EXPECT_EQ(newer.roughness, 0.9f);
-  EXPECT_EQ(newer.metallic, 0.5f);
+  for (const Json& beside :
+       {Json::object(), Json{{"roughnessFactor", 0.9}, {"baseColorFactor", {1, 0, 0, 1}}}}) {
+    material["pbrMetallicRoughness"] = beside;
+    const Material both = with_material(material).load().materials[0];
+    EXPECT_EQ(both.base_colour, plain.base_colour);
+    EXPECT_EQ(both.roughness, plain.roughness);
+    EXPECT_EQ(both.metallic, 0);
+  }
 }
 
 TEST(GltfMaterial, LightPassesASurfaceAndIsScatteredBySkin) {
@@ -108,6 +113,11 @@ TEST(GltfMaterial, LightPassesASurfaceAndIsScatteredBySkin) {
   EXPECT_EQ(cornea.alpha_mode, AlphaMode::blend);
   EXPECT_EQ(cornea.transmission, 0.75f);
   EXPECT_FALSE(warnings.any_with("transmission")) << warnings.all();
+
+  // Of a map the mean counts: the one pixel is all red.
+  Json mapped = shell("lens", "OPAQUE");
+  mapped["extensions"]["KHR_materials_transmission"]["transmissionTexture"] = {{"index", 0}};
+  EXPECT_EQ(with_material(mapped).load().materials[0].transmission, 0.75f);
 
   const Material skin = with_material(shell("skin", "OPAQUE")).load().materials[0];
   EXPECT_TRUE(skin.skin);
