@@ -81,8 +81,9 @@ void Frames::repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) con
 
   for (std::size_t set = 0; set < 2; ++set)
     for (std::size_t i = 0; i < mesh.joints[set].size(); ++i) {
+      if (mesh.weights[set][i] == 0) continue;
       const auto joint = static_cast<std::size_t>(mesh.joints[set][i]);
-      if (mesh.weights[set][i] != 0 && !is_finite(joints_[joint]))
+      if (!is_finite(joints_[joint]))
         throw input_error(document_.file,
                           "{}: vertices hang on joint {} of their skin, which has no inverse bind matrix, or "
                           "one that is not finite",
