@@ -29,11 +29,17 @@ double cosine_lambda(double cosine, double m) {
   return a < 1.6 ? t * (1 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0;
 }
 
-DirectionalAlbedo directional_albedo(double cosine, double m, Masking masking) {
+namespace {
+
+constexpr std::array maskings{Masking::smith, Masking::kelemen_szirmay_kalos};
+using ByMasking = std::array<DirectionalAlbedo, maskings.size()>;
+
+// Both forms take the same half vectors.
+ByMasking albedos(double cosine, double m) {
   static const std::array<double, samples_phi> cosines_phi = make_cosines();
   const double c = std::clamp(cosine, 1e-3, 1.0);
   const double s = std::sqrt(1 - c * c), lambda_v = cosine_lambda(c, m);
-  DirectionalAlbedo sum;
+  ByMasking sums;
 
   for (int i = 0; i < samples_theta; ++i) {
     // Half vector by inversion of Beckmann's distribution, tan^2 = -m^2 ln(1 - u), with pdf_h = D cos_h / pi,
@@ -51,32 +57,35 @@ DirectionalAlbedo directional_albedo(double cosine, double m, Masking masking) {
 
       // Splits Schlick's F = f0 (1 - x) + x into the part that f0 scales and the rest.
       const double y = 1 - v_h, x = y * y * y * y * y;
-      const double unmasked = masking == Masking::smith
-                                  ? v_h * cos_l / (c * cos_l + cos_l * lambda_v + c * cosine_lambda(cos_l, m))
-                                  : cos_l / v_h;
-      const double weight = std::numbers::pi * unmasked / cos_h;
-      sum.of_f0 += weight * (1 - x);
-      sum.rest += weight * x;
+      const double smith = v_h * cos_l / (c * cos_l + cos_l * lambda_v + c * cosine_lambda(cos_l, m));
+      for (const Masking masking : maskings) {
+        const double unmasked = masking == Masking::smith ? smith : cos_l / v_h;
+        const double weight = std::numbers::pi * unmasked / cos_h;
+        DirectionalAlbedo& sum = sums[static_cast<std::size_t>(masking)];
+        sum.of_f0 += weight * (1 - x);
+        sum.rest += weight * x;
+      }
     }
   }
 
   constexpr double count = samples_theta * samples_phi;
-  return {sum.of_f0 / count, sum.rest / count};
+  for (DirectionalAlbedo& sum : sums) sum = {sum.of_f0 / count, sum.rest / count};
+  return sums;
 }
 
-DirectionalAlbedo mean_directional_albedo(double m, Masking masking) {
+ByMasking mean_albedos(double m) {
   constexpr int steps = 64;
-  DirectionalAlbedo mean;
+  ByMasking means;
   for (int i = 0; i < steps; ++i) {
     const double mu = (i + 0.5) / steps;
-    const DirectionalAlbedo a = directional_albedo(mu, m, masking);
-    mean.of_f0 += 2 * mu * a.of_f0 / steps;
-    mean.rest += 2 * mu * a.rest / steps;
+    const ByMasking there = albedos(mu, m);
+    for (std::size_t form = 0; form < means.size(); ++form) {
+      means[form].of_f0 += 2 * mu * there[form].of_f0 / steps;
+      means[form].rest += 2 * mu * there[form].rest / steps;
+    }
   }
-  return mean;
+  return means;
 }
-
-namespace {
 
 std::vector<float> make_table() {
   constexpr std::size_t width = directional_albedo_columns + 2, channels = directional_albedo_channels;
@@ -86,24 +95,30 @@ std::vector<float> make_table() {
                                                     (directional_albedo_rows - 1);
     float* entries = &table[row * width * channels];
 
-    std::size_t channel = 0;
-    for (const Masking masking : {Masking::smith, Masking::kelemen_szirmay_kalos}) {
-      const auto put = [&](std::size_t column, DirectionalAlbedo a) {
-        entries[column * channels + channel] = static_cast<float>(a.of_f0);
-        entries[column * channels + channel + 1] = static_cast<float>(a.rest);
-      };
-      for (std::size_t i = 0; i < directional_albedo_columns; ++i)
-        put(i, directional_albedo(static_cast<double>(i) / (directional_albedo_columns - 1), m, masking));
-      const DirectionalAlbedo mean = mean_directional_albedo(m, masking);
-      put(directional_albedo_columns, mean);
-      put(directional_albedo_columns + 1, mean);
-      channel += 2;
-    }
+    const auto put = [&](std::size_t column, const ByMasking& of) {
+      for (std::size_t form = 0; form < of.size(); ++form) {
+        entries[column * channels + 2 * form] = static_cast<float>(of[form].of_f0);
+        entries[column * channels + 2 * form + 1] = static_cast<float>(of[form].rest);
+      }
+    };
+    for (std::size_t i = 0; i < directional_albedo_columns; ++i)
+      put(i, albedos(static_cast<double>(i) / (directional_albedo_columns - 1), m));
+    const ByMasking mean = mean_albedos(m);
+    put(directional_albedo_columns, mean);
+    put(directional_albedo_columns + 1, mean);
   });
   return table;
 }
 
 }  // namespace
+
+DirectionalAlbedo directional_albedo(double cosine, double m, Masking masking) {
+  return albedos(cosine, m)[static_cast<std::size_t>(masking)];
+}
+
+DirectionalAlbedo mean_directional_albedo(double m, Masking masking) {
+  return mean_albedos(m)[static_cast<std::size_t>(masking)];
+}
 
 const std::vector<float>& directional_albedo_table() {
   static const std::vector<float> table = make_table();

@@ -19,7 +19,7 @@ inline constexpr int directional_albedo_columns = 64;
 inline constexpr int directional_albedo_rows = 32;  ///< m from directional_albedo_min_m to 1
 inline constexpr double directional_albedo_min_m = 0.05;
 
-/// How facets hide each other. In both forms Beckmann's distribution is not divided by pi.
+/// Facets hide each other in one of two forms. In both Beckmann's distribution is not divided by pi.
 enum class Masking {
   smith,                  ///< D F G / (4 n.l n.v), correlated by height: [WMLT07] eq. 27, [Hei14] eq. 99
   kelemen_szirmay_kalos,  ///< D F / h.h, [KSK01] eq. 6: technique `published`

@@ -115,7 +115,7 @@ void read(const json::Value& json, const About&, std::vector<std::string>& into)
   for (std::size_t i = 0; i < json.array_size(0); ++i) into.push_back(json.element(i).text());
 }
 
-/// What files of versions before may hold is left out with a warning that says what is done instead.
+/// Values of versions before are left out, with a warning that says what is done instead.
 bool is_removed(std::string_view key, const json::Value& value) {
   if (key != "mask" || !value.is_text() || value.text() != "tiles") return false;
   warn(

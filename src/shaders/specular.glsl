@@ -15,7 +15,7 @@ float beckmann(float n_h, float m) {
 }
 
 #ifndef OWN_LOBE
-// Of mirrored surroundings, see skin_answer.glsl.
+// Constants of mirrored surroundings, see skin_answer.glsl.
 const float lobe_bend = 1.35, lobe_least_cosine = 0.15;
 
 // Returns cosine times Smith's Lambda for Beckmann's distribution, [WMLT07] eq. 27: finite at 0.
@@ -25,22 +25,26 @@ float cosine_lambda(float cosine, float m) {
   return a < 1.6 ? t * (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 + 2.181 * a) : 0.0;
 }
 
-// Cook and Torrance's D F G / (4 n.l n.v) with Schlick's Fresnel and Smith's masking, correlated by height:
-// G = 1 / (1 + Lambda(v) + Lambda(l)), [Hei14] eq. 99. It stays bounded where h = l + v goes to 0.
+// The lobe is D F over this: 4 n.l n.v / G, with Smith's masking, correlated by height: G = 1 / (1 +
+// Lambda(v) + Lambda(l)), [Hei14] eq. 99. It stays above 0 where h = l + v goes to 0.
+float lobe_divisor(vec3 n, vec3 v, vec3 l, float h2, float m) {
+  const float n_v = max(dot(n, v), 1e-4), n_l = max(dot(n, l), 1e-4);
+  return 4.0 * (n_l * n_v + n_l * cosine_lambda(n_v, m) + n_v * cosine_lambda(n_l, m));
+}
+
+// Returns the lobe's entry in the table of the directional albedo.
+vec2 lobe_albedo(vec4 entry) { return entry.xy; }
+#endif
+
+// Beckmann's distribution with Schlick's Fresnel, over what the form of the lobe divides by.
 float specular_lobe(vec3 n, vec3 v, vec3 l, float m, float f0) {
   const vec3 h_raw = l + v;
   const float h2 = dot(h_raw, h_raw);
   if (h2 < 1e-8) return 0.0;
   const vec3 h = h_raw * inversesqrt(h2);
   const float x = pow(clamp(1.0 - dot(v, h), 0.0, 1.0), 5.0);
-  const float n_v = max(dot(n, v), 1e-4), n_l = max(dot(n, l), 1e-4);
-  const float masked = n_l * n_v + n_l * cosine_lambda(n_v, m) + n_v * cosine_lambda(n_l, m);
-  return beckmann(max(dot(n, h), 0.0), m) * (f0 + (1.0 - f0) * x) / (4.0 * masked);
+  return beckmann(max(dot(n, h), 0.0), m) * (f0 + (1.0 - f0) * x) / lobe_divisor(n, v, l, h2, m);
 }
-
-// Returns the lobe's entry in the table of the directional albedo.
-vec2 lobe_albedo(vec4 entry) { return entry.xy; }
-#endif
 
 float f0_of_ior(float ior) {
   const float r = (ior - 1.0) / (ior + 1.0);

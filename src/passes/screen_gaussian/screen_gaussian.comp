@@ -93,12 +93,6 @@ vec3 blurred(Middle m, float sigma_mm) {
   return sum;
 }
 
-// Returns the light between four pixels, of those that are skin; `none` where hardly one is.
-vec3 any_light(vec2 pixels, vec3 none) {
-  const vec4 found = textureLod(light, in_area(pixels) / vec2(io.extent), 0.0);
-  return found.a >= 1e-4 ? found.rgb / found.a : none;  // none for NaN, too
-}
-
 // [JSG09] and the authors' demo: seven taps one sigma apart, narrower by the depth gradient along the axis
 // within the pair of pixels. No tap is rejected.
 vec3 blurred_as_published(Middle m, float sigma_mm, float mm_per_unit) {
@@ -117,8 +111,8 @@ vec3 blurred_as_published(Middle m, float sigma_mm, float mm_per_unit) {
   const float weights[] = {0.242, 0.061, 0.006};
   vec3 sum = 0.382 * m.light;
   for (int k = 0; k < 3; ++k)
-    sum += weights[k] * (any_light(middle + float(k + 1) * step, m.light) +
-                         any_light(middle - float(k + 1) * step, m.light));
+    sum += weights[k] * (skin_light(middle + float(k + 1) * step, m.light) +
+                         skin_light(middle - float(k + 1) * step, m.light));
   return sum;
 }
 

@@ -22,12 +22,6 @@ layout(binding = 7, rgba16f) uniform writeonly image2D target;
 #include "passes/screen_surface.glsl"
 #include "passes/screen_tangents.glsl"
 
-// Returns the light between the pixels around a point, of those that are skin; `none` where hardly one is.
-vec3 light_at(vec2 pixels, vec3 none) {
-  const vec4 found = textureLod(light, pixels / vec2(io.extent), 0.0);
-  return found.a >= 1e-4 ? found.rgb / found.a : none;  // none for NaN, too
-}
-
 // Returns whether no skin of another head is among the four pixels around a point.
 bool only_of(uint head, vec2 pixels) {
   const uvec4 around = textureGather(surface_of_skin, pixels / vec2(io.extent)) >> SURFACE_NORMAL_BITS;
@@ -51,7 +45,7 @@ vec3 blurred_as_published(ivec2 at, vec3 middle, float depth_mm, uint first, flo
     const float there_mm = imageLoad(depth_of_skin, ivec2(p)).r;
     // Where nothing is theirs is far away.
     const float off = there_mm > 0.0 ? clamp(follow * abs(depth_mm - there_mm), 0.0, 1.0) : 1.0;
-    sum += tap.weight * mix(light_at(p, middle), middle, off);
+    sum += tap.weight * mix(skin_light(p, middle), middle, off);
   }
   return sum;
 }
@@ -73,7 +67,8 @@ vec3 blurred_on_surface(ivec2 at, vec3 middle, float depth_mm, uint first, LineK
     const vec2 p = in_area(vec2(at) + 0.5 + tap.offset * step);
     const ivec2 nearest = ivec2(p);
     const bool same = head_of(texelFetch(surface_of_skin, nearest, 0).x) == head_of(surface);
-    const vec3 there = only_of(head_of(surface), p) ? light_at(p, middle) : texelFetch(light, nearest, 0).rgb;
+    const vec3 there =
+        only_of(head_of(surface), p) ? skin_light(p, middle) : texelFetch(light, nearest, 0).rgb;
     const float off_mm =
         imageLoad(depth_of_skin, nearest).r - plane_depth_mm(t, depth_mm, vec2(nearest - at));
     // Light does not go where the plane is off by as much as the kernel reaches.

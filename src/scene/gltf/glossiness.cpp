@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is made of maps once they are decoded. KHR_materials_pbrSpecularGlossiness has how smooth a material
+// Decoded maps become those that are drawn. KHR_materials_pbrSpecularGlossiness has how smooth a material
 // is in the alpha of a map; of KHR_materials_transmission's map the mean counts.
 #include <algorithm>
 #include <cmath>

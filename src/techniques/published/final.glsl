@@ -15,7 +15,7 @@ layout(location = 0) out vec4 out_radiance;
 #include "shaders/skin_answer.glsl"
 #include "shared/gutters_io.h"
 layout(constant_id = 0) const int term_count = 6;
-// What the weights lack of 1 is lit at the pixel. Departure, for what no map holds: light that leaves where
+// The rest of the weights to 1 is lit at the pixel. Departure, for what no map holds: light that leaves where
 // it entered (a term without width), and skin that has no place on the map, which does not scatter then.
 layout(constant_id = 1) const bool direct = false;
 layout(binding = 14) uniform sampler2D light_0;
