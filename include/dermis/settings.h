@@ -81,8 +81,8 @@ struct SkinSettings {
   std::optional<bool> shape_aware{};
 };
 
-/// Masks with which technique `published` skips unlit texels, [JG08] sec. 3. texture-space computes tiles that
-/// hold light alone.
+/// Masks with which technique `published` skips unlit texels, [JG08] sec. 3. texture-space computes tiles
+/// that hold light alone.
 enum class BlurMask : std::uint8_t {
   alpha,  ///< drawn, and an unlit texel ends before its samples
   depth   ///< drawn, and the depth test rejects it

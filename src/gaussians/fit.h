@@ -71,8 +71,8 @@ double evaluate(std::span<const Term> terms, double radius_mm);
 /// normalised weights. [DLE07] fig. 2 idea, the integral of the sum over a half-plane.
 double edge_response(std::span<const Term> terms, double x_mm);
 
-/// Returns the distance of two normalised sums, in per cent: 100 sqrt( Int r (S - S')^2 dr / Int r S^2 dr ), in
-/// closed form: Int r G(v) G(v') dr = 1 / (4 pi^2 (v + v')).
+/// Returns the distance of two normalised sums, in per cent: 100 sqrt( Int r (S - S')^2 dr / Int r S^2 dr ),
+/// in closed form: Int r G(v) G(v') dr = 1 / (4 pi^2 (v + v')).
 double difference_percent(std::span<const Term> sum, std::span<const Term> other);
 
 }  // namespace dermis::gaussians
