@@ -186,7 +186,7 @@ const Hostile hostile[] = {
        bind[5] = NAN;
        b.json["skins"][0]["inverseBindMatrices"] = b.accessor(bind, "MAT4");
      },
-     "inverse bind matrix 0 is not finite", nullptr},
+     "joint 0 of their skin, which has no inverse bind matrix, or one that is not finite", nullptr},
     {"a loop of nodes",
      [](Sound& b) {
        b.json["nodes"][0]["children"] = {1};
