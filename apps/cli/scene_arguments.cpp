@@ -293,6 +293,14 @@ Scene open_scenes(const SceneArguments& arguments, const SceneOptions& options, 
   return laid_out(assets, arguments.layout.value_or(Layout::row));
 }
 
+// An option of versions before, which help does not show.
+void former_option(CLI::App& command, const std::string& name, const std::string& why) {
+  command
+      .add_option_function<std::string>(
+          name, [=](const std::string&) { throw CLI::ValidationError(name, why); }, why)
+      ->group("");
+}
+
 }  // namespace
 
 bool parse_size(const std::string& text, OutputSettings& output) {
@@ -324,11 +332,8 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
                                                         std::string_view) {
       file_under(truth_group, about, AddOption{command}("--" + std::string(about.option), about, value));
     });
-  command
-      .add_option_function<std::string>(
-          "--view", [](const std::string&) { throw CLI::ValidationError("--view", "is now --tone-map"); },
-          "the former name of --tone-map")
-      ->group("");  // not in the help
+  former_option(command, "--view", "is now --tone-map");
+  former_option(command, "--maps", "is gone: --blur chooses the sizes of light maps, too");
 
   // Names of rooms that the rows know nothing of.
   if (CLI::Option* medium = command.get_option_no_throw("--medium")) {

@@ -259,17 +259,13 @@ class Run {
     }
 
     if (techniques::find_technique(name).as_published) return;
-    RenderSettings last = bench::shaded_in_compute(bench::with_cascade(s));
-    last.quality.cull = last.quality.depth = last.quality.clip = true;
-    if (!same_switches(last.quality, s.quality) && bench::has_plan(scene_, last))
-      add(name + ", --optimise all --maps progressive --blur cascade --shading compute", scene_, last);
+    RenderSettings chain = s;
+    chain.quality.blur = BlurOrder::chain;
+    if (s.quality.blur != BlurOrder::chain) add(name + ", --blur chain", scene_, chain);
   }
 
   static bool same_switches(const QualitySettings& a, const QualitySettings& b) {
-    const auto switches = [](const QualitySettings& q) {
-      return std::tuple(q.cull, q.depth, q.clip, q.maps, q.blur, setup::choose_shading(q));
-    };
-    return switches(a) == switches(b);
+    return std::tuple(a.cull, a.depth, a.clip) == std::tuple(b.cull, b.depth, b.clip);
   }
 
   void add_technique(const std::string& name) {

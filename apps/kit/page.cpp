@@ -149,8 +149,6 @@ std::string bench(const Json& part) {
                                                              {"clip_ms", "clip"},
                                                              {"all_ms", "all"},
                                                              {"all_margin_0_ms", "margin 0"},
-                                                             {"progressive_ms", "prog maps"},
-                                                             {"all_progressive_ms", "all prog"},
                                                              {"lambert_ms", "lambert"},
                                                              {"speedup", "speed-up"},
                                                              {"speedup_over_skip", "over skipping"},

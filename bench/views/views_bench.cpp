@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the optimisations of texture-space change in a picture: views from all around a head, and a camera
 // that moves away from it.
-//   views_bench OUT.json [--cascade] [--dolly] SCENE...
+//   views_bench OUT.json [--dolly] SCENE...
 // For each scene 64 views: 16 azimuths, elevations -30, 0, 30 and 60 degrees; PSNR and FLIP over the skin
 // (super-sampled 4 x 4, exposed fairly), and texels that were read and never lit. With --dolly, of the first
 // scene: 200 steps from 2.5 to 100 radii at 480 x 300, how much the picture changes from step to step with
-// and without the optimisations. With --cascade the optimised picture has progressive maps, the cascade and
-// shading in compute too.
+// and without the optimisations. The other picture is drawn without the cascade and shading in compute too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,16 +29,8 @@ constexpr int super = 4;  // samples per pixel, along each axis
 
 RenderSettings without(RenderSettings s) {
   s.quality.cull = s.quality.depth = s.quality.clip = false;
-  s.quality.maps = LightMaps::full;
   s.quality.blur = BlurOrder::chain;
   s.quality.shading = Shading::raster;
-  return s;
-}
-
-RenderSettings with_cascade(RenderSettings s) {
-  s.quality.maps = LightMaps::progressive;
-  s.quality.blur = BlurOrder::cascade;
-  s.quality.shading = Shading::compute;
   return s;
 }
 
@@ -154,7 +145,7 @@ Json dolly(Renderer& renderer, const std::string& path, RenderSettings s) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::fprintf(stderr, "usage: views_bench OUT.json [--cascade] [--dolly] SCENE...\n");
+    std::fprintf(stderr, "usage: views_bench OUT.json [--dolly] SCENE...\n");
     return 2;
   }
 
@@ -167,8 +158,8 @@ int main(int argc, char** argv) {
       result["command"] =
           result["command"].get<std::string>() + " " + std::filesystem::path(scene).filename().string();
 
-    const bool cascade = std::erase(scenes, "--cascade") > 0, moves = std::erase(scenes, "--dolly") > 0;
-    const RenderSettings settings = cascade ? with_cascade({}) : RenderSettings{};
+    const bool moves = std::erase(scenes, "--dolly") > 0;
+    const RenderSettings settings;
 
     // Render a tiny picture: its statistics name the device.
     RenderSettings tiny;

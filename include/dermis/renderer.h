@@ -44,7 +44,7 @@ struct Statistics {
   std::string device, driver, api, technique;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
   std::string mask;                   ///< alpha, depth, tiles; empty if nothing is masked
-  std::string maps;                   ///< full, progressive; empty for techniques without light maps
+  std::string blur;                   ///< chain, cascade; empty for techniques without light maps
 
   /// Pixels; T_max in texels; how many. `gaussians`: terms of the profile.
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;

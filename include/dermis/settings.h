@@ -88,12 +88,6 @@ enum class BlurMask : std::uint8_t {
   depth   ///< drawn, and the depth test rejects it
 };
 
-/// The sizes of the light maps.
-enum class LightMaps : std::uint8_t {
-  full,        ///< one of full size per Gaussian
-  progressive  ///< half the size, a quarter, an eighth where the light is smooth by then
-};
-
 /// Where skin is shaded.
 enum class Shading : std::uint8_t {
   raster,  ///< where its triangles are drawn, per pixel and triangle
@@ -103,7 +97,7 @@ enum class Shading : std::uint8_t {
 /// How the Gaussians of a profile spread light over the light maps.
 enum class BlurOrder : std::uint8_t {
   chain,   ///< narrow to wide, each from the one before, a map per Gaussian
-  cascade  ///< wide to narrow on a pyramid of maps, one map for the sum; with progressive maps alone
+  cascade  ///< wide to narrow on a pyramid of maps, one map for the sum
 };
 
 /// How the texels of light maps are lit.
@@ -146,11 +140,12 @@ struct QualitySettings {
   bool keep_shadows = true;
 
   std::optional<BlurMask> mask{};  ///< of technique `published`; none: depth
-  LightMaps maps = LightMaps::full;
   /// none: fastest on the kind of device. The targets of a host are always drawn into, and so is what ids
   /// cannot tell apart (docs/techniques.md).
   std::optional<Shading> shading{};
-  BlurOrder blur = BlurOrder::chain;
+  /// none: cascade; chain where light maps have too few texels for it (docs/techniques.md), and where `show`
+  /// names the map of one Gaussian
+  std::optional<BlurOrder> blur{};
   std::optional<IrradianceBy> irradiance{};               ///< none: fastest on the kind of device
   ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space
   BlurResolution blur_resolution = BlurResolution::full;  ///< likewise, of those that blur

@@ -136,6 +136,7 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
   }
 
   std::vector<std::string> names{"picture"};
+  if (setup.plan.cascade && !settings.quality.blur) names.emplace_back("blur:K");
   for (const auto& [name, shown] : out.shows) names.push_back(name);
   throw input_error("", "output.show '{}' is not known to this technique; {}", settings.output.show,
                     listed_names(settings.output.show, names));
@@ -170,7 +171,7 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.skin_pixels = report.skin_pixels;
   st.optimise = report.optimise;
   st.mask = report.mask;
-  st.maps = report.maps;
+  st.blur = report.blur;
   st.translucency = report.translucency;
   st.shape_aware = report.shape_aware;
   st.irradiance_texels = report.irradiance_texels;

@@ -10,6 +10,7 @@
 // A member whose type has fields of its own is a section.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -48,6 +49,14 @@ Field(std::string_view, Type Settings::*, About) -> Field<Settings, Type>;
 /// The rows of a structure, in the order of its members; specialised where they are written.
 template <class Settings>
 inline constexpr std::tuple<> fields_of{};
+
+/// Of versions before: a setting, or a value of one. Files may still have it; it is left out, with a warning.
+struct Gone {
+  std::string_view name, value = {};  ///< no value: the setting itself
+  std::string_view instead;           ///< the rest of the warning
+};
+template <class Settings>
+inline constexpr std::array<Gone, 0> gone_from{};
 
 template <class Type>
 inline constexpr bool has_fields =

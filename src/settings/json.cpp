@@ -115,32 +115,36 @@ void read(const json::Value& json, const About&, std::vector<std::string>& into)
   for (std::size_t i = 0; i < json.array_size(0); ++i) into.push_back(json.element(i).text());
 }
 
-/// Values of versions before are left out, with a warning that says what is done instead.
-bool is_removed(std::string_view key, const json::Value& value) {
-  if (key != "mask" || !value.is_text() || value.text() != "tiles") return false;
-  warn(
-      "{}: {}: 'tiles' is left out: texture-space always blurs tiles, and published has no other masks than "
-      "alpha and depth",
-      value.file(), value.place());
-  return true;
-}
-
+// Returns the keys of `json` that nothing reads any more, each with a warning that says what to use.
 template <class Settings>
-void read_fields(const json::Value& json, Settings& into) {
-  const auto one = [&](const auto& field) {
-    const auto value = json.find(std::string(field.name));
-    if (value && !is_removed(field.name, *value)) read(*value, field.about, into.*field.member);
-  };
-  std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<Settings>);
+Keys gone_keys(const json::Value& json) {
+  Keys keys;
+  for (const Gone& gone : gone_from<Settings>) {
+    const auto value = json.find(std::string(gone.name));
+    const bool whole = gone.value.empty();
+    if (!value || !(whole || (value->is_text() && value->text() == gone.value))) continue;
+    warn("{}: {}: {} left out: {}", value->file(), value->place(),
+         whole ? "is" : fmt::format("'{}' is", gone.value), gone.instead);
+    keys.push_back(gone.name);
+  }
+  return keys;
 }
 
 template <class Settings>
 void read_object_with(const json::Value& json, const Keys& others, Settings& into) {
+  json.object();
+  const Keys own = keys_of<Settings>(), gone = gone_keys<Settings>(json);
   Keys known = others;
-  const Keys own = keys_of<Settings>();
   known.insert(known.end(), own.begin(), own.end());
-  json.object().only_keys(known);
-  read_fields(json, into);
+  known.insert(known.end(), gone.begin(), gone.end());
+  json.only_keys(known);
+
+  const auto one = [&](const auto& field) {
+    const auto value = json.find(std::string(field.name));
+    if (value && std::ranges::find(gone, field.name) == gone.end())
+      read(*value, field.about, into.*field.member);
+  };
+  std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<Settings>);
 }
 
 template <class Settings>
@@ -186,11 +190,7 @@ void load_settings(const std::filesystem::path& path, SettingsFile& settings) {
   const json::Document document = json::load(path, 1 << 20);
   const json::Value root = document.root();
 
-  std::vector<std::string_view> known = keys_of<RenderSettings>();
-  known.insert(known.end(), {"scene", "reference"});
-  root.object().only_keys(known);
-
-  read_fields(root, settings.render);
+  read_object_with(root, {"scene", "reference"}, settings.render);
   if (const auto scene = root.find("scene")) read_object(*scene, settings.scene);
   if (const auto reference = root.find("reference")) {
     if (!settings.reference) settings.reference.emplace();

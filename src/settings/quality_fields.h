@@ -2,6 +2,8 @@
 // The settings of quality, a row for each. Part of fields.h.
 #pragma once
 
+#include <array>
+
 #include "core/fields.h"
 #include "dermis/settings.h"
 
@@ -79,14 +81,6 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .real_time = true}},
 
     Field{
-        "maps",
-        &QualitySettings::maps,
-        {.help = "full: one map of full size per Gaussian; progressive: half the size, a quarter, an eighth "
-                 "where the light is smooth by then",
-         .option = "maps",
-         .rebuilds = true,
-         .real_time = true}},
-    Field{
         "shading",
         &QualitySettings::shading,
         {.help = "raster: skin is shaded where its triangles are drawn; compute: once per pixel and surface",
@@ -95,14 +89,15 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .rebuilds = true,
          .real_time = true}},
 
-    Field{"blur",
-          &QualitySettings::blur,
-          {.help =
-               "chain: narrow to wide, a map per Gaussian; cascade: wide to narrow on a pyramid of maps, one "
-               "map for their sum; needs progressive maps",
-           .option = "blur",
-           .rebuilds = true,
-           .real_time = true}},
+    Field{
+        "blur",
+        &QualitySettings::blur,
+        {.help = "cascade: wide to narrow on a pyramid of maps, one map for the sum of the Gaussians; chain: "
+                 "narrow to wide, a map of full size per Gaussian",
+         .none = "cascade; chain where maps have too few texels for it",
+         .option = "blur",
+         .rebuilds = true,
+         .real_time = true}},
     Field{
         "irradiance",
         &QualitySettings::irradiance,
@@ -166,5 +161,11 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .option = "map-budget",
            .rebuilds = true,
            .real_time = true}}};
+
+template <>
+inline constexpr std::array gone_from<QualitySettings>{
+    Gone{"maps", {}, "quality.blur chooses the sizes of light maps, too"},
+    Gone{"mask", "tiles",
+         "texture-space always blurs tiles, and published has no other masks than alpha and depth"}};
 
 }  // namespace dermis

@@ -48,9 +48,6 @@ void check_settings(const RenderSettings& s) {
   background_of(s.output.background);
   if (s.quality.samples != 1 && s.quality.samples != 4)
     throw input_error("", "quality.samples must be 1 or 4, got {}", s.quality.samples);
-  if (s.quality.blur == BlurOrder::cascade && s.quality.maps != LightMaps::progressive)
-    throw input_error("",
-                      "quality.blur cascade keeps wide light in smaller maps: give quality.maps progressive");
   if (s.lighting.rig_lights && !s.lighting.placed_lights.empty())
     throw input_error(
         "", "lighting.rig_lights and lighting.placed_lights both replace the lights of the scene; give one");

@@ -158,14 +158,18 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   });
 }
 
-// How much of a term is lit per pixel must be known where its light joins the cascade, not where it is read.
-void check_cascade(const techniques::FrameSettings& plan) {
+// Where maps are coarse, how much of a term is lit per pixel must be known where its light joins the cascade,
+// not where it is read. A map of one term is there in the chain alone.
+bool takes_cascade(const techniques::FrameSettings& plan, const RenderSettings& s) {
   const auto is_coarse = [](const techniques::SkinPart& part) { return part.coarse; };
-  if (plan.cascade && std::any_of(plan.skin.begin(), plan.skin.end(), is_coarse))
+  const bool coarse = std::any_of(plan.skin.begin(), plan.skin.end(), is_coarse);
+  if (!s.quality.blur) return !coarse && !s.output.show.starts_with("blur:");
+  if (coarse && *s.quality.blur == BlurOrder::cascade)
     throw input_error(
         "",
         "quality.blur cascade: some of the skin has too few texels per mm to scatter from light "
         "maps; take quality.blur chain, or a larger quality.map_size");
+  return *s.quality.blur == BlurOrder::cascade;
 }
 
 // How many Gaussians the profile of a part has, that without width too.
@@ -244,10 +248,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.all_mapped = setup.technique->as_published;
   }
   if (setup.technique->has_light_maps && !setup.technique->as_published) {
-    plan.progressive = s.quality.maps == LightMaps::progressive;
     plan.texel_maps = choose_irradiance(s.quality) == IrradianceBy::compute && !plan.host_lights();
-    plan.cascade = s.quality.blur == BlurOrder::cascade;
-    check_cascade(plan);
+    plan.cascade = takes_cascade(plan, s);
   }
 
   if (setup.technique->uses_profile) {

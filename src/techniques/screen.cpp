@@ -46,7 +46,7 @@ FrameReport screen_report(const FrameSettings& settings, std::span<const std::ui
   return {.skin_pixels = counters[counter_skin_pixels],
           .optimise = {},
           .mask = {},
-          .maps = {},
+          .blur = {},
           .translucency = settings.translucency};
 }
 

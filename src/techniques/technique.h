@@ -111,11 +111,10 @@ struct FrameSettings {
   /// Texels are lit by a compute pass, from maps of the triangles that they show; not those of a host's
   /// light.
   bool texel_maps = false;
-  bool all_mapped = false;   ///< every term is read from its map, whatever T
-  bool progressive = false;  ///< wide terms are kept in smaller maps, see passes::Downsample
-  bool cascade = false;      ///< wide to narrow, one map for the sum: passes/cascade/; with `progressive`
-  bool visibility = false;   ///< also makes the map that `output.show` "visibility" shows
-  bool labels = false;       ///< also draws FrameOutputs::label_surface and label_names
+  bool all_mapped = false;  ///< every term is read from its map, whatever T
+  bool cascade = false;     ///< wide to narrow, one map for the sum: passes/cascade/; else a map per term
+  bool visibility = false;  ///< also makes the map that `output.show` "visibility" shows
+  bool labels = false;      ///< also draws FrameOutputs::label_surface and label_names
 
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
@@ -204,7 +203,7 @@ struct FrameOutputs {
 struct FrameReport {
   std::uint64_t skin_pixels = 0;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
-  std::string mask, maps;             ///< empty: there are none
+  std::string mask, blur;             ///< empty: there are none
   bool translucency = false, shape_aware = false;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
@@ -236,7 +235,7 @@ struct Technique {
   std::string_view name;       ///< as RenderSettings::technique names it
   std::string_view summary;    ///< one line, for help texts
   bool uses_profile = true;    ///< light spreads as the material's profile says
-  bool has_light_maps = true;  ///< Optimise, mask, progressive and translucency mean something
+  bool has_light_maps = true;  ///< Optimise, mask, cascade and translucency mean something
   /// As the papers have it: skin is lit and shaded where it is drawn, one skin mesh after the other, with
   /// masks that are drawn. Takes no poses and no hosts, and knows no laws of shape.
   bool as_published = false;

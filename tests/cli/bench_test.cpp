@@ -121,19 +121,15 @@ TEST_F(Bench, LampsInPlaceOfTheRig) {
             json({{{"azimuth_deg", 30.0}, {"elevation_deg", 20.0}, {"irradiance", 3.0}}}));
 }
 
-TEST_F(Bench, ProgressiveMapsAreABaselineOfTheirOwn) {
-  // Large enough that the widest Gaussian is smooth on half the map.
+TEST_F(Bench, BlursAreNamedPerColumn) {
   const json cell =
       found({"--heads", "1", "--map-size", "512", "--rounds", "1", "--picture-samples", "0"}).at("cells")[0];
-  EXPECT_EQ(cell.at("variants").at("progressive").at("maps"), "progressive");
-  EXPECT_EQ(cell.at("variants").at("progressive").at("optimise"), json::array());
-  EXPECT_EQ(cell.at("variants").at("baseline").at("maps"), "full");
-  EXPECT_LT(cell.at("texels").at("progressive").at("convolved"),
-            cell.at("texels").at("baseline").at("convolved"));
-  EXPECT_NEAR(cell.at("speedup_progressive"),
-              cell.at("progressive_ms").get<double>() / cell.at("all_progressive_ms").get<double>(), 1e-9);
+  EXPECT_EQ(cell.at("variants").at("all_cascade").at("blur"), "cascade");
+  EXPECT_EQ(cell.at("variants").at("all_cascade").at("technique"), "texture-space");
+  EXPECT_EQ(cell.at("variants").at("all_shading").at("blur"), "chain");
+  EXPECT_EQ(cell.at("variants").at("baseline").at("blur"), "chain");
   EXPECT_EQ(cell.at("variants").at("baseline").at("technique"), "published");
-  EXPECT_EQ(cell.at("variants").at("progressive").at("technique"), "texture-space");
+  EXPECT_TRUE(cell.at("variants").at("lambert").at("blur").is_null());
 }
 
 TEST_F(Bench, TechniquesAsColumns) {

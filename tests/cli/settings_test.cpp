@@ -25,11 +25,10 @@ class SettingsFiles : public Program {
 };
 
 TEST_F(SettingsFiles, GiveTheSamePictureAgain) {
-  const std::string first =
-      rendered({"--orbit",         "30,5",  "--light",    "-30,10,2.5",  "--light",      "60,0",
-                "--mask",          "depth", "--maps",     "progressive", "--exposure",   "auto",
-                "--tone-map",      "agx",   "--specular", "off",         "--unit-scale", "0.3",
-                "--save-settings", saved()});
+  const std::string first = rendered(
+      {"--orbit",      "30,5",  "--light",         "-30,10,2.5", "--light",    "60,0", "--mask",     "depth",
+       "--blur",       "chain", "--exposure",      "auto",       "--tone-map", "agx",  "--specular", "off",
+       "--unit-scale", "0.3",   "--save-settings", saved()});
   const std::string text = read_text(saved());
   EXPECT_EQ(rendered({"--settings", saved()}), first);
 
@@ -43,6 +42,11 @@ TEST_F(SettingsFiles, WhatIsGoneIsLeftOutWithAWarning) {
   EXPECT_EQ(run.status, 0);
   EXPECT_NE(run.err.find("'tiles' is left out: texture-space always blurs tiles"), std::string::npos)
       << run.err;
+
+  const Result maps = render({head(), "--settings", file("maps.json", R"({"quality": {"maps": "full"}})")});
+  EXPECT_EQ(maps.status, 0);
+  EXPECT_NE(maps.err.find("quality.maps: is left out: quality.blur (--blur) chooses"), std::string::npos)
+      << maps.err;
 }
 
 TEST_F(SettingsFiles, WhatIsGivenByItselfWins) {

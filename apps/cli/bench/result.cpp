@@ -39,8 +39,6 @@ ordered_json cell_json(const Cell& cell) {
   json["speedup_over_skip"] = cell.speedup_over_skipping();
   json["speedup_margin_0"] =
       cell.of(baseline_key).ms() / cell.of(cell.has(at_edge_key) ? at_edge_key : optimised_key).ms();
-  if (cell.has(progressive_key))
-    json["speedup_progressive"] = cell.of(progressive_key).ms() / cell.of(optimised_progressive_key).ms();
   for (const char* key : {compute_key, still_key}) {
     json[fmt::format("speedup_{}", key)] = or_null(cell.speedup_of(key, baseline_key));
     json[fmt::format("{}_over_all", key)] = or_null(cell.speedup_of(key, optimised_key));
@@ -76,7 +74,7 @@ nlohmann::ordered_json variant_object(const Measured& m) {
   return {{"meaning", m.variant.meaning},
           {"technique", m.counts.technique},
           {"optimise", m.counts.optimise},
-          {"maps", m.counts.maps.empty() ? ordered_json(nullptr) : ordered_json(m.counts.maps)},
+          {"blur", m.counts.blur.empty() ? ordered_json(nullptr) : ordered_json(m.counts.blur)},
           {"mask", m.counts.mask.empty() ? ordered_json(nullptr) : ordered_json(m.counts.mask)},
           {"skip_unseen_heads", or_null(m.variant.settings.quality.skip_unseen_heads)},
           {"ms", {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}}},

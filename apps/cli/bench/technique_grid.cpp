@@ -20,12 +20,6 @@ void add_columns(const Scene& scene, const RenderSettings& common, const std::st
   describe_plan(scene, s);
   const techniques::Technique& technique = techniques::find_technique(name);
   to.push_back({name, name, std::string(technique.summary), s});
-  if (!technique.has_light_maps || technique.as_published) return;
-
-  s = shaded_in_compute(with_cascade(s));
-  if (has_plan(scene, s))
-    to.push_back({name + "-compute", name + " compute",
-                  name + " with the cascade of blurs on progressive maps, shaded in compute", s});
 }
 
 /// None if stopped.

@@ -15,7 +15,6 @@ RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
 // The same by texture-space: each step beyond the papers is taken alone, from the way they have it.
 RenderSettings stepwise(RenderSettings s) {
   s.technique = "texture-space";
-  s.quality.maps = LightMaps::full;
   s.quality.shading = Shading::raster;
   s.quality.blur = BlurOrder::chain;
   s.quality.irradiance = IrradianceBy::raster;
@@ -31,12 +30,6 @@ RenderSettings every_head(RenderSettings s) {
 RenderSettings at_edge(RenderSettings s) {
   s = with(s, true, true, true);
   s.quality.clip_margin_mm = 0;
-  return s;
-}
-
-RenderSettings progressive(RenderSettings s) {
-  s = stepwise(s);
-  s.quality.maps = LightMaps::progressive;
   return s;
 }
 
@@ -56,10 +49,7 @@ RenderSettings still(RenderSettings s) {
   return s;
 }
 
-}  // namespace
-
 RenderSettings with_cascade(RenderSettings s) {
-  s.quality.maps = LightMaps::progressive;
   s.quality.blur = BlurOrder::cascade;
   return s;
 }
@@ -68,6 +58,8 @@ RenderSettings shaded_in_compute(RenderSettings s) {
   s.quality.shading = Shading::compute;
   return s;
 }
+
+}  // namespace
 
 std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
   std::vector<Variant> all{
@@ -84,11 +76,6 @@ std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
   if (common.quality.clip_margin_mm != 0.0)
     all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper",
                    at_edge(common)});
-  all.push_back({progressive_key, "prog maps",
-                 "every head, by texture-space with progressive maps: wide Gaussians on smaller ones",
-                 progressive(every_head(common))});
-  all.push_back({optimised_progressive_key, "all prog", "all, by texture-space with progressive maps",
-                 progressive(with(common, true, true, true))});
 
   const RenderSettings optimised = stepwise(with(common, true, true, true));
   if (cascade)

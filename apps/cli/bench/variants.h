@@ -23,9 +23,6 @@ inline constexpr const char* skipping_key = "skip";
 inline constexpr const char* optimised_key = "all";  ///< whose speed-up and picture are reported
 /// clipped at the very edge of the picture, as in [JG08]
 inline constexpr const char* at_edge_key = "all_margin_0";
-/// as the baseline, by texture-space with progressive maps
-inline constexpr const char* progressive_key = "progressive";
-inline constexpr const char* optimised_progressive_key = "all_progressive";
 /// all, by texture-space, with each of the steps beyond the paper alone; `compute` is all with the first two
 inline constexpr const char* cascade_key = "all_cascade";
 inline constexpr const char* shading_key = "all_shading";
@@ -34,10 +31,6 @@ inline constexpr const char* compute_key = "compute";
 inline constexpr const char* still_key = "still";  ///< `compute`, with the shadow maps of the frame before
 inline constexpr const char* floor_key = "lambert";
 inline constexpr const char* compute_floor_key = "lambert_compute";
-
-/// Return settings with steps beyond the paper.
-RenderSettings with_cascade(RenderSettings settings);  ///< of blurs, on progressive maps
-RenderSettings shaded_in_compute(RenderSettings settings);
 
 /// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
 /// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever

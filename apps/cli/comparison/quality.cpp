@@ -58,18 +58,14 @@ void add_taps(const RenderSettings& common, const techniques::Technique& techniq
     }
 }
 
-void add_maps(const RenderSettings& common, const techniques::Technique& technique,
-              std::vector<QualitySetting>& to) {
-  for (const bool cascade : {false, true})
-    for (const int divisor : map_divisors) {
-      if (cascade && technique.as_published) continue;
-      RenderSettings s = common;
-      if (cascade) s = bench::shaded_in_compute(bench::with_cascade(s));
-      s.quality.map_size = common.quality.map_size / divisor;
-      to.push_back({.curve = common.technique + (cascade ? ", cascade in compute" : ""),
-                    .label = fmt::format("map of {}", s.quality.map_size),
-                    .settings = std::move(s)});
-    }
+void add_maps(const RenderSettings& common, std::vector<QualitySetting>& to) {
+  for (const int divisor : map_divisors) {
+    RenderSettings s = common;
+    s.quality.map_size = common.quality.map_size / divisor;
+    to.push_back({.curve = common.technique,
+                  .label = fmt::format("map of {}", s.quality.map_size),
+                  .settings = std::move(s)});
+  }
 }
 
 }  // namespace
@@ -82,7 +78,7 @@ std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSet
 
   std::vector<QualitySetting> wanted;
   if (technique.taps.most > 0) add_taps(s, technique, wanted);
-  if (technique.has_light_maps) add_maps(s, technique, wanted);
+  if (technique.has_light_maps) add_maps(s, wanted);
   if (wanted.empty()) wanted.push_back({.curve = name, .label = name, .settings = s});
 
   std::vector<QualitySetting> possible;

@@ -30,8 +30,7 @@ vec4 spread(ivec2 p, vec4 centre) {
   const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
   const float texels = float(io.side);
   const float sigma_mm = sqrt(io.variance_mm2);
-  const float wanted_u = sigma_mm * factor.x * texels;
-  const float sigma_u = sqrt(max(wanted_u * wanted_u - io.averaged_texels2, 0.0));
+  const float sigma_u = sigma_mm * factor.x * texels;
   const int step_u = max(1, int(ceil(sigma_u / KERNEL_MAX_SIGMA)));
   const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v per step
   load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
@@ -60,7 +59,7 @@ vec4 spread(ivec2 p, vec4 centre) {
     }
 
     const float wanted = sigma_mm * factor.z * texels;
-    const float sigma_v = sqrt(max(wanted * wanted - interpolation - io.averaged_texels2, 0.0));
+    const float sigma_v = sqrt(max(wanted * wanted - interpolation, 0.0));
     const int step_v = max(1, int(ceil(sigma_v / KERNEL_MAX_SIGMA)));
     load_kernel(sigma_v / float(step_v), io.texel_averaged != 0u && step_v == 1);
 

@@ -25,15 +25,6 @@ void Blur::prepare(gpu::PipelineLibrary& library) {
       gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()), gpu::texels_of_shaders);
 }
 
-// Returns the variance that averaging r x r texels into one has added, in texels^2 of the smaller map: that
-// of r points at a distance of 1 / r.
-float Blur::averaged_texels2(const FrameData& frame, const UsedSquare& square) const {
-  MapSquare before = square;
-  before.halvings = settings.halvings_before.value_or(square.halvings);
-  const float r = static_cast<float>(used_square(frame, before).side) / static_cast<float>(square.side);
-  return (1 - 1 / (r * r)) / 12;
-}
-
 // Returns whether a head enters the chain with this step.
 bool Blur::enters(const FrameData& frame, const UsedSquare& square) const {
   return settings.chain && terms_of(frame, square).first_step == settings.chain->number;
@@ -70,8 +61,7 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
                    .origin = {},
                    .side = 0,
                    .square = 0,
-                   .first_tile = 0,
-                   .averaged_texels2 = averaged_texels2(frame, square)});
+                   .first_tile = 0});
   }
 }
 

@@ -29,8 +29,6 @@ class Blur : public TiledPass {
     double variance_mm2 = 0;      ///< of this step
     std::uint32_t axis = 0;       ///< 0, then 1
     bool texel_averaged = false;  ///< the first step: its input is constant over each texel
-    /// the first step after Downsample: halvings of the map that Downsample has read
-    std::optional<std::uint32_t> halvings_before;
     /// Set: leaves out heads that enter the chain at a later step; those that enter here start from
     /// In::start, texel-averaged, by total_mm2. None: all heads blur by variance_mm2.
     std::optional<ChainStep> chain;
@@ -52,7 +50,6 @@ class Blur : public TiledPass {
   bool enters(const FrameData& frame, const UsedSquare& square) const;
   std::vector<UsedSquare> squares_of(const FrameData& frame) const;
   void bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const;
-  float averaged_texels2(const FrameData& frame, const UsedSquare& square) const;
   gpu::Buffer kernels_;
 };
 

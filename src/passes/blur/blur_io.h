@@ -11,8 +11,6 @@ struct BlurIo {
   uint side;            // T, texels
   uint square;          // number in the pool
   uint first_tile;      // of its tiles in the list
-  // variance along each axis that the light has got since the step before, texels of this map
-  float averaged_texels2;
 };
 DERMIS_IO_END
 #endif

@@ -7,7 +7,6 @@
 #include "shaders/half.glsl"
 #include "passes/downsample/downsample_io.h"
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(constant_id = 0) const bool smoothed = false;
 layout(push_constant, scalar) uniform Push { DownsampleIo io; };
 layout(binding = 0, rgba16f) uniform readonly image2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
@@ -23,18 +22,18 @@ void main() {
   vec3 sum = vec3(0.0), strange = vec3(0.0);
   float total = 0.0, strangers = 0.0;
   bool lit = false;
-  // The mean of the texels that it covers, or [1 3 3 1] / 8 along both axes.
-  const bool wide = smoothed && io.ratio == 2u;
-  const int n = wide ? 4 : int(io.ratio);
-  const ivec2 corner = p * int(io.ratio) - (wide ? 1 : 0);
+  // A head that uses fewer texels than T_max halves less often: its light is copied.
+  const bool halves = io.ratio == 2u;
+  const int n = halves ? 4 : 1;
+  const ivec2 corner = p * int(io.ratio) - (halves ? 1 : 0);
   for (int i = 0; i < n * n; ++i) {
     const ivec2 k = ivec2(i % n, i / n), at = corner + k;
-    if (wide && (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(io.side * io.ratio)))))
+    if (halves && (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(io.side * io.ratio)))))
       continue;
     const vec4 texel = imageLoad(light_in, at + ivec2(io.from));
     if (texel.a == 0.0) continue;
     const bvec2 inner = equal(k >> 1, 1 - (k & 1));
-    const float weight = wide ? (inner.x ? 3.0 : 1.0) * (inner.y ? 3.0 : 1.0) : 1.0;
+    const float weight = halves ? (inner.x ? 3.0 : 1.0) * (inner.y ? 3.0 : 1.0) : 1.0;
     strange += weight * texel.rgb;
     strangers += weight;
     if (abs(texel.a) != chart) continue;

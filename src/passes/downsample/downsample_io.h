@@ -6,7 +6,7 @@ DERMIS_IO_BEGIN
 struct DownsampleIo {
   uvec2 origin;  // of the square in the smaller pool
   uint side;     // of its used part there, texels
-  uint ratio;    // texels of the larger map along a side of one texel: 1, 2, 4, 8
+  uint ratio;    // texels of the larger map along a side of one texel: 1, 2
   uvec2 from;    // origin of the square in the larger pool
 };
 DERMIS_IO_END

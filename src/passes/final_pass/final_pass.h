@@ -43,14 +43,13 @@ class UnshadedReads {
   struct Settings {
     std::vector<MapSquare> squares;
     std::uint32_t samples = 1;
-    bool cut_out = false;          ///< as of FinalPass
-    std::uint32_t slot = 0;        ///< of the counters
-    TermsOnMap terms;              ///< as of FinalPass
-    std::uint32_t first_term = 0;  ///< that of the first of `lights`
+    bool cut_out = false;    ///< as of FinalPass
+    std::uint32_t slot = 0;  ///< of the counters
+    TermsOnMap terms;        ///< as of FinalPass
   } settings;
   struct In {
     std::vector<frame::TextureId>
-        lights;  ///< RGBA16F pools of one size, one per term; reads the first that is read
+        lights;  ///< RGBA16F pools, one per term, or their sum: the first that is read
     frame::TextureId depth;
     frame::BufferId counters;
   } in;
@@ -64,7 +63,7 @@ class UnshadedReads {
 
  private:
   bool reads(const FrameData& frame, const MapSquare& square) const;
-  std::uint32_t first_read(const FrameData& frame, const MapSquare& square) const;
+  frame::TextureId first_read(const FrameData& frame, const MapSquare& square) const;
   void draw_square(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                    const MapSquare& square) const;
   const gpu::Pipeline* pipelines_[2][2] = {};  // [double sided][cut out]

@@ -10,7 +10,6 @@ struct FinalPassIo {
   uvec2 map_origin;          // of the head's square in the pool of light maps
   uint map_side;             // T, texels
   uint slot;                 // of the counters, see unshaded_reads.frag
-  uint halvings;             // four bits per term: the side of its map is T >> n
 };
 // What the pass needs to know where the map is too coarse: see coarse_share() of final_pass.h.
 struct SkinTermsIo {
@@ -24,6 +23,6 @@ struct SkinTermsIo {
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::FinalPassIo) == 116);
+static_assert(sizeof(dermis::io::FinalPassIo) == 112);
 #endif
 #endif

@@ -15,6 +15,6 @@ struct ThroughTermsIo {
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::ShadeIo) == 120);
+static_assert(sizeof(dermis::io::ShadeIo) == 116);
 #endif
 #endif

@@ -10,7 +10,6 @@
 #endif
 layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool direct = false;       // what the weights lack of 1 is lit per pixel
-layout(constant_id = 2) const bool progressive = false;  // maps of wide terms are smaller
 layout(constant_id = 17) const bool summed = false;      // the first map holds the weighted sum
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
@@ -37,13 +36,7 @@ vec3 mapped_weight(int term, OnMap on) {
 
 #include "shaders/light_left.glsl"
 
-vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
-  if (progressive) {
-    const uint side = io.map_side >> ((io.halvings >> (4 * term)) & 15u);
-    const vec2 size = vec2(textureSize(light, 0));
-    at =
-        light_point(unwrap, float(side), vec2(io.map_origin) * (size / vec2(textureSize(light_0, 0)))) / size;
-  }
+vec3 light_of(sampler2D light, vec2 at) {
   return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;
 }
 
@@ -51,16 +44,16 @@ vec3 light_of(sampler2D light, int term, vec2 unwrap, vec2 at) {
 // lies at `unwrap`.
 vec3 scattered(OnMap on, vec2 unwrap) {
   const vec2 at = light_point(unwrap) / vec2(textureSize(light_0, 0));
-  if (summed) return light_of(light_0, 0, unwrap, at);
+  if (summed) return light_of(light_0, at);
   vec3 sum = vec3(0.0);
-  if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, 0, unwrap, at);
-  if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, 1, unwrap, at);
-  if (is_read(2)) sum += mapped_weight(2, on) * light_of(light_2, 2, unwrap, at);
-  if (is_read(3)) sum += mapped_weight(3, on) * light_of(light_3, 3, unwrap, at);
-  if (is_read(4)) sum += mapped_weight(4, on) * light_of(light_4, 4, unwrap, at);
-  if (is_read(5)) sum += mapped_weight(5, on) * light_of(light_5, 5, unwrap, at);
-  if (is_read(6)) sum += mapped_weight(6, on) * light_of(light_6, 6, unwrap, at);
-  if (is_read(7)) sum += mapped_weight(7, on) * light_of(light_7, 7, unwrap, at);
+  if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, at);
+  if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, at);
+  if (is_read(2)) sum += mapped_weight(2, on) * light_of(light_2, at);
+  if (is_read(3)) sum += mapped_weight(3, on) * light_of(light_3, at);
+  if (is_read(4)) sum += mapped_weight(4, on) * light_of(light_4, at);
+  if (is_read(5)) sum += mapped_weight(5, on) * light_of(light_5, at);
+  if (is_read(6)) sum += mapped_weight(6, on) * light_of(light_6, at);
+  if (is_read(7)) sum += mapped_weight(7, on) * light_of(light_7, at);
   return sum;
 }
 

@@ -135,14 +135,12 @@ bool SkinShading::through(const SkinVariant& variant) const {
 }
 
 gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
-  const bool progressive = !look_.halvings.empty() && look_.halvings.back() > 0;
   const auto terms = static_cast<std::uint32_t>(look_.weights.size());
   const bool at_pixel = variant.lit == SkinVariant::Lit::at_pixel;
   gpu::Constants constants{{"term_count", at_pixel ? 0u : terms},
                            {"direct", variant.lit != SkinVariant::Lit::on_map ? 1u : 0u},
                            {"environment", look_.environment ? 1u : 0u},
                            {"soft_shadows", look_.soft_shadows ? 1u : 0u},
-                           {"progressive", progressive ? 1u : 0u},
                            {"summed", look_.summed ? 1u : 0u},
                            {"off_map", variant.off_map ? 1u : 0u},
                            {"coarse", look_.terms.coarse ? 1u : 0u},
@@ -166,16 +164,11 @@ io::FinalPassIo SkinShading::io(const FrameData& frame) const {
   io::FinalPassIo io{.weights = {},
                      .map_origin = used_square(frame, look_.square).origin,
                      .map_side = instance.map_side,
-                     .slot = 0,
-                     .halvings = 0};
+                     .slot = 0};
 
   for (std::size_t i = 0; i < look_.weights.size(); ++i) {
     const auto& [r, g, b] = look_.weights[i];
     io.weights[i] = (1 - share_of(i, instance)) * glm::vec3(r, g, b);
-
-    // In 4 bits how often the term's map is halved.
-    const std::uint32_t side = halved_side(instance.map_side, look_.terms.largest_side, look_.halvings[i]);
-    while (instance.map_side >> (io.halvings >> 4 * i & 15u) > side) io.halvings += 1u << 4 * i;
   }
   return io;
 }

@@ -60,7 +60,6 @@ struct SkinKind {
 struct SkinLook {
   MapSquare square;                           ///< not halved
   std::vector<std::array<float, 3>> weights;  ///< one per term, 0 to 8; none = Lambert
-  std::vector<std::uint32_t> halvings;        ///< of the term's map, one per term; the first is 0
   /// One map holds the sum of all terms, already weighted (with MappedTerms::weights): the only one.
   bool summed = false;
   bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient

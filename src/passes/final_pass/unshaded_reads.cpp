@@ -34,15 +34,13 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
   terms_ = make_terms(library.device(), settings.terms);
 }
 
-// Returns the place in In::lights of the first map that the head reads. Wide terms of a near head are in
-// smaller maps: maps of this size may hold none that is read.
-std::uint32_t UnshadedReads::first_read(const FrameData& frame, const MapSquare& square) const {
-  return std::max(terms_of(frame, square).first_read, settings.first_term) - settings.first_term;
+// Returns the first map that the head reads.
+frame::TextureId UnshadedReads::first_read(const FrameData& frame, const MapSquare& square) const {
+  return in.lights.size() == 1 ? in.lights.front() : in.lights[terms_of(frame, square).first_read];
 }
 
 bool UnshadedReads::reads(const FrameData& frame, const MapSquare& square) const {
-  return instance_of(frame, square).visible && terms_of(frame, square).any &&
-         first_read(frame, square) < in.lights.size();
+  return instance_of(frame, square).visible && terms_of(frame, square).any;
 }
 
 bool UnshadedReads::draws(const FrameData& frame) const {
@@ -61,14 +59,11 @@ void UnshadedReads::draw_square(gpu::Cmd& cmd, const frame::Resources& resources
   const std::uint32_t mesh = mesh_in_asset(frame, square);
   Bindings bindings;
   bindings.add("Frame", frame.frame_io)
-      .add("light_0", resources.nearest(in.lights[first_read(frame, read)]))
+      .add("light_0", resources.nearest(first_read(frame, read)))
       .add("Terms", terms_)
       .add("Counters", resources.buffer(in.counters));
-  const io::FinalPassIo io{.weights = {},
-                           .map_origin = square.origin,
-                           .map_side = square.side,
-                           .slot = settings.slot,
-                           .halvings = 0};
+  const io::FinalPassIo io{
+      .weights = {}, .map_origin = square.origin, .map_side = square.side, .slot = settings.slot};
 
   draw_skin(
       cmd, instance, mesh, bindings,

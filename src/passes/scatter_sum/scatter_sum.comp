@@ -18,29 +18,20 @@ layout(binding = 6) uniform sampler2D light_6;
 layout(binding = 7) uniform sampler2D light_7;
 layout(binding = 8, rgba16f) uniform writeonly image2DArray sum_out;
 
-// The map of a wide term may be smaller: bilinear then, and not beyond its square.
-vec3 light_of(sampler2D light, int term, uvec2 texel) {
-  const uint halvings = (io.halvings >> (4 * term)) & 15u;
-  if (textureSize(light, 0) == textureSize(light_0, 0))
-    return texelFetch(light, ivec2(io.origin + texel), 0).rgb;
-  const vec2 size = vec2(textureSize(light, 0));
-  const float side = float(io.side >> halvings), margin = 0.5 + 1.0 / 256.0;
-  const vec2 at = clamp((vec2(texel) + 0.5) / float(io.side) * side, margin, side - margin);
-  return textureLod(light, (at + vec2(io.origin) * size / vec2(textureSize(light_0, 0))) / size, 0.0).rgb;
-}
+vec3 light_of(sampler2D light, uvec2 texel) { return texelFetch(light, ivec2(io.origin + texel), 0).rgb; }
 
 void main() {
   const uvec2 p = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(p, uvec2(io.side)))) return;
 
-  vec3 sum = io.weights[0] * light_of(light_0, 0, p);
-  if (term_count > 1) sum += io.weights[1] * light_of(light_1, 1, p);
-  if (term_count > 2) sum += io.weights[2] * light_of(light_2, 2, p);
-  if (term_count > 3) sum += io.weights[3] * light_of(light_3, 3, p);
-  if (term_count > 4) sum += io.weights[4] * light_of(light_4, 4, p);
-  if (term_count > 5) sum += io.weights[5] * light_of(light_5, 5, p);
-  if (term_count > 6) sum += io.weights[6] * light_of(light_6, 6, p);
-  if (term_count > 7) sum += io.weights[7] * light_of(light_7, 7, p);
+  vec3 sum = io.weights[0] * light_of(light_0, p);
+  if (term_count > 1) sum += io.weights[1] * light_of(light_1, p);
+  if (term_count > 2) sum += io.weights[2] * light_of(light_2, p);
+  if (term_count > 3) sum += io.weights[3] * light_of(light_3, p);
+  if (term_count > 4) sum += io.weights[4] * light_of(light_4, p);
+  if (term_count > 5) sum += io.weights[5] * light_of(light_5, p);
+  if (term_count > 6) sum += io.weights[6] * light_of(light_6, p);
+  if (term_count > 7) sum += io.weights[7] * light_of(light_7, p);
 
   const float chart = texelFetch(light_0, ivec2(io.origin + p), 0).a;
   const float alpha = chart == 0.0 ? 0.0 : chart == BORDER_ALPHA ? BORDER_ALPHA : 1.0;

@@ -22,13 +22,10 @@ void ScatterSum::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   const UsedSquare square = used_square(frame, settings.square);
   const MapPlace& place = instance.map_places[mesh_in_asset(frame, settings.square)];
 
-  io::ScatterSumIo io{
-      .weights = {}, .origin = square.origin, .side = square.side, .halvings = 0, .layer = place.batch};
+  io::ScatterSumIo io{.weights = {}, .origin = square.origin, .side = square.side, .layer = place.batch};
   for (std::size_t i = 0; i < settings.weights.size(); ++i) {
     const auto& [r, g, b] = settings.weights[i];
     io.weights[i] = {r, g, b};
-    const std::uint32_t side = halved_side(square.side, place.largest_side, settings.halvings[i]);
-    while (square.side >> (io.halvings >> 4 * i & 15u) > side) io.halvings += 1u << 4 * i;
   }
 
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",

@@ -14,9 +14,8 @@ namespace dermis::passes {
 class ScatterSum : public ComputePass {
  public:
   struct Settings {
-    MapSquare square;                           ///< not halved
+    MapSquare square;
     std::vector<std::array<float, 3>> weights;  ///< one per term, 1 to 8
-    std::vector<std::uint32_t> halvings;        ///< of the term's map at T_max, one per term; the first is 0
   } settings;
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, one per term

@@ -8,11 +8,10 @@ struct ScatterSumIo {
   vec3 weights[MOST_TERMS];  // of the profile, narrow to wide
   uvec2 origin;              // of the square in the pool, texels
   uint side;                 // T
-  uint halvings;             // four bits per term: the side of its map is T >> n
   uint layer;                // of the sum
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::ScatterSumIo) == 116);
+static_assert(sizeof(dermis::io::ScatterSumIo) == 112);
 #endif
 #endif

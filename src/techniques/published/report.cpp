@@ -45,7 +45,7 @@ FrameReport report(const FrameSettings& settings, std::span<const std::uint32_t>
   if (settings.optimise.depth) report.optimise.emplace_back("depth");
   if (settings.optimise.clip) report.optimise.emplace_back("clip");
   if (mask_of(settings) != Mask::none) report.mask = mask_of(settings) == Mask::alpha ? "alpha" : "depth";
-  report.maps = "full";
+  report.blur = "chain";
   report.unshaded_reads = counters[counter_unshaded_reads];
   report.transmission_misses = counters[counter_missed_light];
 

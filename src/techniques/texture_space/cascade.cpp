@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/texture_space/cascade.h"
 
-#include "passes/add_transmitted/add_transmitted.h"
-#include "passes/cascade/cascade.h"
-#include "passes/gutters/gutters.h"
-#include "passes/upsample/upsample.h"
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "techniques/texture_space/mesh_steps.h"
 
 namespace dermis::techniques {
 namespace {
@@ -13,19 +14,29 @@ using passes::CascadeStep;
 using passes::Gutters;
 using passes::MapSquare;
 
-// The cascade of one skin mesh: knows how far down the pyramid the light is that has spread.
+// Makes the cascade of one skin mesh: knows how far down the pyramid the light is that has spread.
 class Cascade {
  public:
-  Cascade(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
-          const std::vector<MapSquare>& squares)
-      : plan_(&plan),
-        settings_(&settings),
+  Cascade(const FrameSettings& settings, const LightMaps& maps, const std::vector<MapSquare>& squares)
+      : settings_(&settings),
         maps_(&maps),
-        mesh_(mesh),
+        mesh_(squares.front().mesh),
         squares_(squares),
-        cascade_(cascade_plan(settings, settings.skin[mesh])) {}
+        cascade_(cascade_plan(settings, settings.skin[mesh_])),
+        coarsest_(settings.translucency ? cascade_.groups.size() : 1, 0) {
+    for (const CascadeStep& step : cascade_.steps) {
+      coarsest_[0] = std::max(coarsest_[0], step.halvings);
+      if (!step.term || !settings_->translucency) continue;
+      std::uint32_t& of_group = coarsest_[cascade_.group_of(step)];
+      of_group = std::max(of_group, step.halvings);
+    }
+  }
 
-  void add() {
+  std::uint32_t coarsest() const { return coarsest_[0]; }  ///< halvings of its last level
+  const std::vector<MapSquare>& squares() const { return squares_; }
+
+  /// What follows the pyramid of the light itself.
+  MeshSteps make() {
     if (settings_->translucency) add_transmitted();
     add_pyramids();
 
@@ -40,6 +51,7 @@ class Cascade {
     }
     if (!cascade_.steps.empty()) climb(0, 0);
     add_sum();
+    return std::move(steps_);
   }
 
  private:
@@ -52,24 +64,26 @@ class Cascade {
     for (std::size_t g = 1; g < cascade_.groups.size(); ++g) {
       const frame::TextureId before = maps_->unspread(g - 1, 0), through = maps_->unspread(g, 0);
       const std::string name = fmt::format("add transmitted {}", g);
-      plan_->add<passes::AddTransmitted>(maps_->name(name, mesh_), {before, before, through},
-                                         {.squares = squares_});
-      plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {through}, {.squares = squares_});
+      steps_.add<passes::AddTransmitted>(name, {before, before, through}, {.squares = squares_});
+      steps_.add<Gutters>(name + " gutters", {through}, {.squares = squares_});
     }
   }
 
+  // Of the further groups of light.
   void add_pyramids() {
-    // By group, the coarsest level whose light is read; of the first group also for the masks.
-    std::vector<std::uint32_t> coarsest(settings_->translucency ? cascade_.groups.size() : 1, 0);
-    for (const CascadeStep& step : cascade_.steps) {
-      coarsest[0] = std::max(coarsest[0], step.halvings);
-      if (!step.term || !settings_->translucency) continue;
-      std::uint32_t& of_group = coarsest[cascade_.group_of(step)];
-      of_group = std::max(of_group, step.halvings);
-    }
-    for (std::size_t g = 0; g < coarsest.size(); ++g)
-      for (std::uint32_t halvings = 1; halvings <= coarsest[g]; ++halvings)
-        maps_->add_pyramid(g, halvings, on(halvings - 1), on(halvings));
+    for (std::size_t g = 1; g < coarsest_.size(); ++g)
+      for (std::uint32_t halvings = 1; halvings <= coarsest_[g]; ++halvings) {
+        const frame::TextureId larger = maps_->unspread(g, halvings - 1),
+                               smaller = maps_->unspread(g, halvings);
+        const std::string name = fmt::format("joining {}", g);
+        steps_.add<passes::Downsample>(at("downsample " + name, level(halvings)),
+                                       {larger, maps_->stretch(mesh_), smaller},
+                                       {.from = on(halvings - 1), .to = on(halvings)});
+        if (is_sparse(*settings_))
+          steps_.add<passes::Dilate>(at("dilate " + name, level(halvings)),
+                                     {smaller, maps_->stretch(mesh_), level(halvings).border},
+                                     {on(halvings)});
+      }
   }
 
   frame::TextureId unspread(const CascadeStep& step) const { return unspread(step, step.halvings); }
@@ -84,8 +98,8 @@ class Cascade {
       const CascadeStep* next = to == halvings && step > 0 ? &cascade_.steps[step - 1] : nullptr;
       const frame::TextureId joining = next ? unspread(*next) : level(to).light;
       const std::string name = at(fmt::format("upsample {}", step), level(to));
-      plan_->add<passes::Upsample>(
-          maps_->name(name, mesh_),
+      steps_.add<passes::Upsample>(
+          name,
           {spread(halvings_), joining, spread(to), maps_->stretch(mesh_), unspread(cascade_.steps[step], to)},
           {.from = on(halvings_),
            .to = on(to),
@@ -109,14 +123,14 @@ class Cascade {
     passes::CascadeBlur::Settings blur{
         .squares = on(step.halvings), .steps = cascade_.steps, .number = number, .axis = 0};
     const std::string name = fmt::format("cascade {}", number);
-    plan_->add<passes::CascadeBlur>(
-        maps_->name(name + " u", mesh_),
-        {widest ? unspread(step) : spread(step.halvings), stretch, here.scratch, here.lit}, blur);
+    steps_.add<passes::CascadeBlur>(
+        name + " u", {widest ? unspread(step) : spread(step.halvings), stretch, here.scratch, here.lit},
+        blur);
 
     blur.axis = 1;
     if (widest) blur.scales = step.term;
     if (next) blur.joins = next->term;
-    plan_->add<passes::CascadeBlur>(maps_->name(name + " v", mesh_),
+    steps_.add<passes::CascadeBlur>(name + " v",
                                     {here.scratch, stretch, spread(step.halvings), here.lit,
                                      blur.joins ? unspread(*next) : frame::TextureId{}},
                                     blur);
@@ -124,8 +138,7 @@ class Cascade {
   }
 
   void add_gutters(const std::string& name, std::uint32_t halvings, std::uint32_t step) {
-    plan_->add<Gutters>(maps_->name(name + " gutters", mesh_), {spread(halvings)},
-                        {.squares = on(halvings), .step = step});
+    steps_.add<Gutters>(name + " gutters", {spread(halvings)}, {.squares = on(halvings), .step = step});
   }
 
   void add_sum() {
@@ -143,24 +156,40 @@ class Cascade {
       in.second = maps_->unspread(1, 0);
       sum.second_group = static_cast<std::uint32_t>(cascade_.groups[1]);
     }
-    plan_->add<passes::CascadeSum>(maps_->name("cascade sum", mesh_), in, sum);
-    plan_->add<Gutters>(maps_->name("cascade sum gutters", mesh_), {in.target}, {.squares = squares_});
+    steps_.add<passes::CascadeSum>("cascade sum", in, sum);
+    steps_.add<Gutters>("cascade sum gutters", {in.target}, {.squares = squares_});
   }
 
-  passes::FramePlan* plan_;
   const FrameSettings* settings_;
-  LightMaps* maps_;
+  const LightMaps* maps_;
   std::uint32_t mesh_;
   std::vector<MapSquare> squares_;  // on maps of T_max
   CascadePlan cascade_;
-  std::uint32_t halvings_ = 0;  // of the maps in which the light is that has spread
+  std::vector<std::uint32_t> coarsest_;  // by group of light, halvings of the last level; [0]: of all groups
+  std::uint32_t halvings_ = 0;           // of the maps in which the light is that has spread
+  MeshSteps steps_;
 };
 
 }  // namespace
 
-void add_cascade(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
+void add_cascade(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
                  const std::vector<MapSquare>& squares) {
-  Cascade(plan, settings, maps, mesh, squares).add();
+  std::vector<Cascade> cascades;
+  for (const std::uint32_t mesh : meshes_of(squares))
+    cascades.emplace_back(settings, maps, of_mesh(squares, mesh));
+
+  // A level lists its tiles for all meshes at once.
+  for (std::uint32_t halvings = 1; halvings < maps.levels().size(); ++halvings) {
+    std::vector<MapSquare> all;
+    for (const Cascade& cascade : cascades)
+      if (cascade.coarsest() >= halvings)
+        all.insert(all.end(), cascade.squares().begin(), cascade.squares().end());
+    if (!all.empty()) maps.add_level(halvings, all);
+  }
+
+  std::vector<MeshSteps> meshes;
+  for (Cascade& cascade : cascades) meshes.push_back(cascade.make());
+  add_steps(plan, maps, std::move(meshes));
 }
 
 }  // namespace dermis::techniques

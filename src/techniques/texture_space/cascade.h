@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Spreads the light of a skin mesh by its profile from wide to narrow: passes/cascade/.
+/// Spreads the light of skin meshes by their profiles from wide to narrow: passes/cascade/.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,10 @@
 
 namespace dermis::techniques {
 
-/// Adds the cascade of one skin mesh, up to the map of the sum. `squares`: those of `mesh`, on maps of T_max.
-void add_cascade(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps, std::uint32_t mesh,
+/// Adds the cascades of the skin meshes of a batch, up to the map of the sum. `squares`: on maps of T_max,
+/// sorted by mesh. Meshes go through each step together; profiles that have more steps than others take
+/// further ones.
+void add_cascade(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
                  const std::vector<passes::MapSquare>& squares);
 
 }  // namespace dermis::techniques

@@ -37,12 +37,6 @@ std::vector<frame::TextureId> read_maps(const FrameSettings& settings, const Lig
   return {maps.blurred().begin(), maps.blurred().begin() + count};
 }
 
-std::vector<std::uint32_t> read_halvings(const FrameSettings& settings, const LightMaps& maps,
-                                         std::ptrdiff_t count) {
-  if (settings.cascade) return std::vector<std::uint32_t>(static_cast<std::size_t>(count), 0);
-  return {maps.halvings().begin(), maps.halvings().begin() + count};
-}
-
 passes::TermsOnMap terms_on_map(const FrameSettings& settings, const SkinPart& part) {
   return {.sigmas_mm = sigmas_mm(part.profile),
           .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
@@ -60,7 +54,6 @@ SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const
 
   return {.look = {.square = square,
                    .weights = weights(part.profile),
-                   .halvings = read_halvings(settings, maps, count),
                    .summed = settings.cascade,
                    .mixes = settings.mixes(),
                    .unscattered = part.unscattered != gaussians::Rgb{},
@@ -70,48 +63,18 @@ SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const
           .maps = read_maps(settings, maps, count)};
 }
 
-// Of maps of one size. first_term: that of the first of them.
+// Returns how reads of the light of one skin mesh are counted that find no light.
 frame::Member<passes::UnshadedReads> unshaded_reads_of(const FrameSettings& settings, const Screen& screen,
-                                                       const std::vector<frame::TextureId>& lights,
-                                                       const std::vector<passes::MapSquare>& squares,
-                                                       std::uint32_t first_term) {
+                                                       const LightMaps& maps,
+                                                       const std::vector<passes::MapSquare>& squares) {
   const SkinPart& part = settings.skin[squares.front().mesh];
-  return {.in = {lights, screen.depth(), screen.counters()},
+  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
+  return {.in = {read_maps(settings, maps, count), screen.depth(), screen.counters()},
           .settings = {.squares = squares,
                        .samples = settings.samples,
                        .cut_out = part.cut_out,
                        .slot = counter_unshaded_reads,
-                       .terms = terms_on_map(settings, part),
-                       .first_term = first_term}};
-}
-
-using ReadsTogether = Together<passes::UnshadedReads>;
-
-// Of the map of sums.
-void add_unshaded_reads_of_sum(passes::FramePlan& plan, const FrameSettings& settings, const Screen& screen,
-                               const LightMaps& maps, const std::vector<passes::MapSquare>& squares) {
-  ReadsTogether::In reads;
-  for (const std::uint32_t mesh : meshes_of(squares))
-    reads.members.push_back(
-        unshaded_reads_of(settings, screen, maps.blurred(), of_mesh(squares, mesh), MOST_TERMS));
-  plan.add<ReadsTogether>(maps.name("count unshaded reads"), reads);
-}
-
-// Of the maps of each level.
-void add_unshaded_reads_of_terms(passes::FramePlan& plan, const FrameSettings& settings, const Screen& screen,
-                                 const LightMaps& maps, const std::vector<passes::MapSquare>& squares) {
-  for (const Level& level : maps.levels()) {
-    const auto first = std::ranges::find(maps.halvings(), level.halvings);
-    ReadsTogether::In reads;
-    for (const std::uint32_t mesh : meshes_of(squares)) {
-      // A short profile does not reach the small maps of a longer one beside it.
-      const auto terms = static_cast<std::ptrdiff_t>(settings.skin[mesh].profile.terms.size());
-      if (first - maps.halvings().begin() < terms)
-        reads.members.push_back(unshaded_reads_of(settings, screen, level.blurred,
-                                                  on_level(of_mesh(squares, mesh), level), level.first_term));
-    }
-    if (!reads.members.empty()) plan.add<ReadsTogether>(maps.name(at("count unshaded reads", level)), reads);
-  }
+                       .terms = terms_on_map(settings, part)}};
 }
 
 }  // namespace
@@ -122,11 +85,10 @@ void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, con
   for (const passes::MapSquare& square : squares) {
     const SkinPart& part = settings.skin[square.mesh];
     const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-    sums.members.push_back(
-        {{read_maps(settings, maps, count), sum},
-         {.square = square,
-          .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f}) : weights(part.profile),
-          .halvings = read_halvings(settings, maps, count)}});
+    sums.members.push_back({{read_maps(settings, maps, count), sum},
+                            {.square = square,
+                             .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f})
+                                                         : weights(part.profile)}});
   }
   plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
 }
@@ -140,10 +102,10 @@ void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& s
   screen.add_skin(skin, [&](std::string_view what) { return maps.name(what); });
   if (settings.host) return;
 
-  if (settings.cascade)
-    add_unshaded_reads_of_sum(plan, settings, screen, maps, squares);
-  else
-    add_unshaded_reads_of_terms(plan, settings, screen, maps, squares);
+  Together<passes::UnshadedReads>::In reads;
+  for (const std::uint32_t mesh : meshes_of(squares))
+    reads.members.push_back(unshaded_reads_of(settings, screen, maps, of_mesh(squares, mesh)));
+  plan.add<Together<passes::UnshadedReads>>(maps.name("count unshaded reads"), reads);
 }
 
 }  // namespace dermis::techniques

@@ -25,20 +25,6 @@ using frame::Together;
 using passes::Gutters;
 using passes::MapSquare;
 
-std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings) {
-  std::vector<std::uint32_t> least;
-  for (const SkinPart& part : settings.skin) {
-    std::vector<std::uint32_t> halvings(part.profile.terms.size(), 0);
-    if (settings.progressive && !settings.cascade)
-      halvings = passes::map_halvings(part.profile, part.mean_texels_per_mm, settings.map_size);
-    for (std::size_t k = 0; k < halvings.size(); ++k) {
-      if (k == least.size()) least.push_back(halvings[k]);
-      least[k] = std::min(least[k], halvings[k]);
-    }
-  }
-  return least;
-}
-
 MapSquare on_level(MapSquare square, const Level& level) {
   square.halvings = level.halvings;
   return square;
@@ -54,21 +40,7 @@ std::string at(std::string_view what, const Level& level) {
 }
 
 LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen)
-    : plan_(&plan),
-      settings_(&settings),
-      screen_(&screen),
-      pool_(settings),
-      halvings_(halvings_of_terms(settings)) {
-  // A level per size, a blurred map per term.
-  for (std::size_t k = 0; !settings.cascade && k < halvings_.size(); ++k) {
-    if (levels_.empty() || levels_.back().halvings != halvings_[k]) {
-      levels_.push_back(make_level(halvings_[k]));
-      levels_.back().first_term = static_cast<std::uint32_t>(k);
-    }
-    blurred_.push_back(plan.texture(fmt::format("light {}", k), pool_.texture(halvings_[k])));
-    levels_.back().blurred.push_back(blurred_.back());
-  }
-
+    : plan_(&plan), settings_(&settings), screen_(&screen), pool_(settings) {
   std::uint32_t most_triangles = 0, most_materials = 1;
   for (const SkinPart& part : settings.skin) {
     most_triangles = std::max(most_triangles, part.triangles);
@@ -84,8 +56,8 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   }
   if (settings.cascade)
     make_cascade();
-  else if (settings.translucency)
-    make_transmitted();
+  else
+    make_chain();
   if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture(0));
   make_stretch();
 }
@@ -100,6 +72,21 @@ void LightMaps::make_stretch() {
     for (const SkinPart& part : settings_->skin) maps = std::max(maps, part.unwrap + 1);
   for (std::uint32_t number = 0; number < maps; ++number)
     stretch_.push_back(plan_->texture(label_part("stretch", *settings_, number), map, lifetime));
+}
+
+// One level, with a map per term. The first group of transmitted light joins in the irradiance map itself;
+// each further one has a map.
+void LightMaps::make_chain() {
+  std::size_t terms = 0;
+  for (const SkinPart& part : settings_->skin) terms = std::max(terms, part.profile.terms.size());
+
+  levels_.push_back(make_level(0));
+  for (std::size_t k = 0; k < terms; ++k)
+    blurred_.push_back(plan_->texture(fmt::format("light {}", k), pool_.texture(0)));
+  levels_.front().blurred = blurred_;
+
+  for (std::size_t g = 1; settings_->translucency && g < passes::transmission_groups(terms).size(); ++g)
+    transmitted_.push_back(plan_->texture(fmt::format("joining {}", g), pool_.texture(0)));
 }
 
 // A level per size with one map for what has spread, one map for the sum, and a pyramid of light for each
@@ -140,22 +127,16 @@ frame::TextureId LightMaps::unspread(std::size_t group, std::uint32_t halvings) 
 
 // Gutters of the larger map come down with the light. Made anew on the smaller one they would be worse: a
 // source too near to a border moves by up to half a texel, and texels are larger there.
-void LightMaps::add_pyramid(std::size_t group, std::uint32_t halvings, const std::vector<MapSquare>& from,
-                            const std::vector<MapSquare>& to) {
-  const std::uint32_t mesh = to.front().mesh;
-  const Level& level = levels_[halvings];
-  const frame::TextureId larger = unspread(group, halvings - 1), smaller = unspread(group, halvings);
-  const std::string what = group == 0 ? "downsample" : fmt::format("downsample joining {}", group);
-  plan_->add<passes::Downsample>(name(at(what, level), mesh), {larger, stretch(mesh), smaller, larger},
-                                 {.from = from, .to = to, .smoothed = true});
-  if (group == 0) {
-    add_masks(level, to);
-    return;
+void LightMaps::add_level(std::uint32_t halvings, const std::vector<MapSquare>& squares) {
+  const Level &larger = levels_[halvings - 1], &smaller = levels_[halvings];
+  Together<passes::Downsample>::In in;
+  for (const std::uint32_t mesh : meshes_of(squares)) {
+    const std::vector<MapSquare> own = of_mesh(squares, mesh);
+    in.members.push_back({{larger.light, stretch(mesh), smaller.light},
+                          {.from = on_level(own, larger), .to = on_level(own, smaller)}});
   }
-
-  if (is_sparse(*settings_))
-    plan_->add<passes::Dilate>(name(at(fmt::format("dilate joining {}", group), level), mesh),
-                               {smaller, stretch(mesh), level.border}, {to});
+  plan_->add<Together<passes::Downsample>>(name(at("downsample", smaller)), in);
+  add_masks(smaller, on_level(squares, smaller));
 }
 
 frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
@@ -175,34 +156,6 @@ Level LightMaps::make_level(std::uint32_t halvings) {
     level.lit = passes::make_tile_lists(*plan_, name("lit"), pool_.squares(), side);
   }
   return level;
-}
-
-const Level& LightMaps::level_of(std::size_t term) const {
-  return *std::find_if(levels_.begin(), levels_.end(),
-                       [&](const Level& level) { return level.halvings == halvings_[term]; });
-}
-
-// The first group of transmitted light joins in the irradiance map itself; each further one has a map, and
-// one more for each smaller size at which it joins, that of the term before the group.
-void LightMaps::make_transmitted() {
-  for (std::size_t g = 1; g < passes::transmission_groups(halvings_.size()).size(); ++g)
-    transmitted_.push_back(plan_->texture(fmt::format("joining {}", g), pool_.texture(0)));
-
-  for (const SkinPart& part : settings_->skin) {
-    const std::vector<std::size_t> groups = passes::transmission_groups(part.profile.terms.size());
-    for (std::size_t g = 1; g < groups.size(); ++g) {
-      const Level& level = level_of(groups[g] - 1);
-      if (level.halvings == 0) continue;
-      const auto [entry, is_new] = halved_transmitted_.try_emplace({g, level.halvings});
-      if (is_new)
-        entry->second =
-            plan_->texture(at(fmt::format("joining {}", g), level), pool_.texture(level.halvings));
-    }
-  }
-}
-
-frame::TextureId LightMaps::halved_transmitted(std::size_t group, const Level& level) const {
-  return halved_transmitted_.at({group, level.halvings});
 }
 
 std::vector<frame::TextureId> LightMaps::textures() const {
@@ -355,8 +308,8 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
 
 // Prepares a level for blurring: seam gutters, dilation, tiles that hold light.
 void LightMaps::add_masks(const Level& level, const std::vector<MapSquare>& all) {
-  // Levels of a cascade have gutters by now, those of the larger map: see add_pyramid().
-  if (!settings_->cascade || level.halvings == 0)
+  // Smaller levels have gutters by now, those of the larger map: see add_pyramid().
+  if (level.halvings == 0)
     plan_->add<Gutters>(name(at("irradiance gutters", level)), {level.light}, {.squares = all});
   if (is_sparse(*settings_)) add_dilation(level, all);
   add_masked_counts(level, all);
@@ -400,8 +353,7 @@ void LightMaps::add_masked_counts(const Level& level, const std::vector<MapSquar
 void LightMaps::add_tiles(const Level& level, const std::vector<MapSquare>& all) {
   std::vector<passes::IdleTiles::In::Map> maps{{.light = level.scratch}};
   for (std::uint32_t i = 0; i < level.blurred.size(); ++i)
-    maps.push_back(
-        {.light = level.blurred[i], .term = settings_->cascade ? MOST_TERMS : level.first_term + i});
+    maps.push_back({.light = level.blurred[i], .term = settings_->cascade ? MOST_TERMS : i});
   plan_->add<passes::ClearBuffers>(name(at("clear tiles", level)), {{level.lit.counts, level.lit.arguments}});
   plan_->add<passes::TileClasses>(name(at("tile classes", level)), {level.light, level.lit}, {all});
   plan_->add<passes::Tiles>(name(at("tiles", level)), {level.lit, screen_->counters()},

@@ -16,10 +16,6 @@
 
 namespace dermis::techniques {
 
-/// Returns, per term of the longest profile, how often the map of that term is halved. All skin meshes share
-/// the maps, so a map is halved only as often as every mesh allows.
-std::vector<std::uint32_t> halvings_of_terms(const FrameSettings& settings);
-
 /// Returns whether texels stay unlit (cull, clip), so that convolutions may skip them.
 inline bool is_sparse(const FrameSettings& settings) {
   return settings.optimise.cull || settings.optimise.clip;
@@ -30,13 +26,10 @@ struct Level {
   std::uint32_t halvings = 0;
   frame::TextureId light;                 ///< what its first convolution reads
   frame::TextureId scratch;               ///< between the two axes of a blur
-  std::uint32_t first_term = 0;           ///< that of the first of `blurred`
-  std::vector<frame::TextureId> blurred;  ///< of the terms that end here; of a cascade what has spread so far
+  std::vector<frame::TextureId> blurred;  ///< one per term; of a cascade what has spread so far
   passes::TileLists border;               ///< tiles that Dilate fills; valid if the light is sparse
-  passes::TileLists lit;                  ///< tiles to blur; valid with SkipUnlit::by_tiles
+  passes::TileLists lit;                  ///< tiles to blur; likewise
 };
-
-/// Returns how convolutions of a level skip unlit texels.
 
 /// Return the same squares in the maps of a level.
 passes::MapSquare on_level(passes::MapSquare square, const Level& level);
@@ -56,27 +49,17 @@ class LightMaps {
   void add_stretch(const std::vector<passes::MapSquare>& squares);
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
-  /// Prepares a level for blurring that holds the light of all these squares.
-  void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
-
-  /// Of a cascade. Halves the light of one skin mesh, of a group of terms (passes::transmission_groups()),
-  /// once more, to the maps of levels()[halvings], and prepares these for blurring. `from`, `to`: its squares
-  /// in the larger and in the smaller maps.
-  void add_pyramid(std::size_t group, std::uint32_t halvings, const std::vector<passes::MapSquare>& from,
-                   const std::vector<passes::MapSquare>& to);
+  /// Of a cascade. Halves light that has not spread once more, to the maps of levels()[halvings], and
+  /// prepares these for blurring. `squares`: on maps of T_max, sorted by mesh.
+  void add_level(std::uint32_t halvings, const std::vector<passes::MapSquare>& squares);
   /// Of a cascade: returns the light of a group of terms that has not spread, on levels()[halvings].
   frame::TextureId unspread(std::size_t group, std::uint32_t halvings) const;
 
   const MapPool& pool() const { return pool_; }
-  const std::vector<Level>& levels() const { return levels_; }  ///< large to small
-  const Level& level_of(std::size_t term) const;
-  const std::vector<std::uint32_t>& halvings() const { return halvings_; }  ///< one per term
+  const std::vector<Level>& levels() const { return levels_; }  ///< large to small; one without a cascade
   /// One per term; of a cascade one, the sum.
   const std::vector<frame::TextureId>& blurred() const { return blurred_; }
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
-  /// Returns the map of transmitted light on a level, of the second (1) or third (2) group of terms, which
-  /// joins the light of that level. All meshes and batches share it.
-  frame::TextureId halved_transmitted(std::size_t group, const Level& level) const;
   /// Returns the stretch map of a mesh. Meshes that take turns with a square take turns with this, too.
   frame::TextureId stretch(std::uint32_t mesh) const;
   /// Returns all maps of the pool.
@@ -91,11 +74,12 @@ class LightMaps {
   Level make_level(std::uint32_t halvings);
   void add_stretch(std::string_view what, const std::vector<passes::MapSquare>& squares, frame::Runs runs,
                    bool when_moved);
-  void make_transmitted();
+  void make_chain();
   void make_cascade();
   void make_stretch();
   void add_irradiance(const passes::Irradiance::Settings& settings);
   void add_texels(const passes::Irradiance::Settings& settings, const passes::Irradiance::In& in);
+  void add_masks(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_dilation(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_masked_counts(const Level& level, const std::vector<passes::MapSquare>& all);
   void add_tiles(const Level& level, const std::vector<passes::MapSquare>& all);
@@ -105,7 +89,6 @@ class LightMaps {
   Screen* screen_;
   MapPool pool_;
   std::uint32_t turn_ = 0;  // of the pool
-  std::vector<std::uint32_t> halvings_;
   std::vector<Level> levels_;
   std::vector<frame::TextureId> blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head

@@ -27,21 +27,15 @@ struct LevelWork {
 using Work = std::array<LevelWork, levels>;  // by halvings
 
 // Follows the steps of Convolution (convolution.cpp) for a head, and counts instead of adding passes.
-Work work_of(const SkinPart& part, const std::vector<std::uint32_t>& halvings,
-             const passes::MappedTerms& mapped) {
+Work chain_work_of(const SkinPart& part, const passes::MappedTerms& mapped) {
   Work work{};
   if (!mapped.any) return work;
 
-  std::size_t term = 0, number = 0;
+  std::size_t number = 0;
   for (const passes::BlurStep& step : passes::blur_steps(part.profile, part.max_texels_per_mm)) {
-    LevelWork& level = work[halvings[term]];
-    level.halved = halvings[term] > 0;
-    level.moves = level.halved ? 1 : 0;
-    const bool blurs = number++ >= mapped.first_step;
-    if (blurs) level.convolutions += 2;
-    if (!step.ends_term) continue;
-    if (blurs) ++level.terms;
-    ++term;
+    if (number++ < mapped.first_step) continue;
+    work[0].convolutions += 2;
+    if (step.ends_term) ++work[0].terms;
   }
   return work;
 }
@@ -80,10 +74,9 @@ Work cascade_work_of(const FrameSettings& settings, const SkinPart& part, const 
   return work;
 }
 
-Work work_of(const FrameSettings& settings, std::uint32_t mesh, const std::vector<std::uint32_t>& halvings,
-             const passes::MappedTerms& mapped) {
+Work work_of(const FrameSettings& settings, std::uint32_t mesh, const passes::MappedTerms& mapped) {
   const SkinPart& part = settings.skin[mesh];
-  return settings.cascade ? cascade_work_of(settings, part, mapped) : work_of(part, halvings, mapped);
+  return settings.cascade ? cascade_work_of(settings, part, mapped) : chain_work_of(part, mapped);
 }
 
 double widest_step_mm2(const CascadePlan& cascade, const passes::MappedTerms& mapped) {
@@ -115,7 +108,7 @@ class Figures {
  public:
   Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,
           std::span<const DrawnHead> drawn)
-      : settings_(settings), counters_(counters), halvings_(halvings_of_terms(settings)) {
+      : settings_(settings), counters_(counters) {
     for (const DrawnHead& head : drawn)
       for (std::uint32_t i = 0; i < settings.models[head.model].meshes; ++i) add(head, i);
   }
@@ -131,7 +124,7 @@ class Figures {
   // Adds what skin mesh `i` of a head has taken.
   void add(const DrawnHead& head, std::uint32_t i) {
     const std::uint32_t mesh = settings_.models[head.model].first_mesh + i;
-    const Work work = work_of(settings_, mesh, halvings_, mapped_terms(settings_, mesh, head.side));
+    const Work work = work_of(settings_, mesh, mapped_terms(settings_, mesh, head.side));
     const auto counted = [&](std::uint32_t halvings, SquareCounter which) -> std::uint64_t {
       return counters_[square_counter(settings_, head.head, i, halvings, which)];
     };
@@ -155,7 +148,6 @@ class Figures {
 
   const FrameSettings& settings_;
   std::span<const std::uint32_t> counters_;
-  std::vector<std::uint32_t> halvings_;
 };
 
 std::vector<std::string> names_of(const Optimise& optimise) {
@@ -176,7 +168,7 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
   FrameReport report = screen_report(settings, counters, drawn);
   report.optimise = names_of(settings.optimise);
   if (is_sparse(settings)) report.mask = "tiles";
-  report.maps = settings.progressive ? "progressive" : "full";
+  report.blur = settings.cascade ? "cascade" : "chain";
   report.translucency = settings.translucency;
   report.shape_aware = std::any_of(settings.skin.begin(), settings.skin.end(),
                                    [](const SkinPart& part) { return part.profile.shape.has_value(); });
@@ -191,7 +183,6 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
 
 std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
                                               std::span<const DrawnHead> drawn) {
-  const std::vector<std::uint32_t> halvings = halvings_of_terms(settings);
   std::vector<GutterSize> sizes;
 
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
@@ -211,7 +202,7 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
       const passes::MappedTerms mapped = mapped_terms(settings, mesh, head.side);
       if (!mapped.any) continue;
 
-      const Work work = work_of(settings, mesh, halvings, mapped);
+      const Work work = work_of(settings, mesh, mapped);
       for (std::uint32_t level = 0; level < levels; ++level)
         if (level == 0 || work[level].halved)
           add(passes::halved_side(head.side, settings.halving_side(), level));

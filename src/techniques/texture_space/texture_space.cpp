@@ -112,8 +112,7 @@ FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s
       if (pool.splits_heads()) maps->add_stretch(squares);
       maps->add_light(squares);
       if (s.cascade)
-        for (const std::uint32_t mesh : meshes_of(squares))
-          add_cascade(plan, s, *maps, mesh, of_mesh(squares, mesh));
+        add_cascade(plan, s, *maps, squares);
       else
         add_convolution(plan, s, *maps, squares);
       if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, squares);

@@ -92,8 +92,8 @@ void LabCascade::add_step(std::uint32_t number) {
 
 frame::TextureId LabCascade::add() {
   for (std::uint32_t n = 1; n < unspread_.size(); ++n) {
-    plan_->add<passes::Downsample>("down", {unspread_[n - 1], stretch_, unspread_[n], unspread_[n - 1]},
-                                   {.from = on(n - 1), .to = on(n), .smoothed = true});
+    plan_->add<passes::Downsample>("down", {unspread_[n - 1], stretch_, unspread_[n]},
+                                   {.from = on(n - 1), .to = on(n)});
   }
 
   halvings_ = coarsest();

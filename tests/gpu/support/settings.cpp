@@ -43,8 +43,12 @@ RenderSettings furnace_settings(const std::string& technique, bool specular) {
 }
 
 RenderSettings with_cascade(RenderSettings s) {
-  s.quality.maps = LightMaps::progressive;
   s.quality.blur = BlurOrder::cascade;
+  return s;
+}
+
+RenderSettings with_chain(RenderSettings s) {
+  s.quality.blur = BlurOrder::chain;
   return s;
 }
 

@@ -89,7 +89,7 @@ TEST(Cascade, HeadsOfNearlyAllTexelsHaveRoom) {
     SCOPED_TRACE(used);
     EXPECT_GT(used, 512);
     EXPECT_LT(used, 1024);
-    expect_unseen(renderer().render(head(), unoptimised(s)), cascade);
+    expect_unseen(renderer().render(head(), with_chain(unoptimised(s))), cascade);
   }
 }
 
@@ -100,7 +100,7 @@ TEST(Cascade, LightThroughTheBodyIsThatOfTheChain) {
   whole.lighting.placed_lights = {{.azimuth_deg = 160, .elevation_deg = 10}};
   RenderSettings dark = whole;
   dark.skin.translucency = false;
-  const Picture a = renderer().render(head(), unoptimised(whole)),
+  const Picture a = renderer().render(head(), with_chain(unoptimised(whole))),
                 b = renderer().render(head(), with_cascade(whole)),
                 none = renderer().render(head(), with_cascade(dark));
   EXPECT_EQ(b.statistics.transmission_misses, 0u);
@@ -123,7 +123,7 @@ TEST(Cascade, ASessionDrawsWhatTheRendererDraws) {
 // The built-in head has so few texels per mm at 512 that no level is halved: three steps of wide terms, the
 // last of which leaves its second axis to the sum of the narrow ones. The chain has a step per term.
 TEST(Cascade, TakesHalfTheTexelsOfTheChain) {
-  const RenderSettings chain = unoptimised(small_settings("texture-space", 128, 512));
+  const RenderSettings chain = with_chain(unoptimised(small_settings("texture-space", 128, 512)));
   const Statistics a = renderer().render(head(), chain).statistics,
                    b = renderer().render(head(), with_cascade(chain)).statistics;
   EXPECT_EQ(b.irradiance_texels, a.irradiance_texels);

@@ -94,7 +94,7 @@ TEST(TermsByNeed, ThenItIsDrawnAsWithoutScattering) {
 TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
   std::vector<int> counts;
   for (const double distance : {2.0, 5.0, 8.0, 16.0, 30.0, 400.0}) {
-    RenderSettings s = settings_at(distance);
+    RenderSettings s = with_chain(settings_at(distance));
     s.quality.cull = s.quality.clip = false;
     const Statistics st = renderer().render(kept_head(), s).statistics;
     ASSERT_EQ(st.mapped_terms.size(), 1u);
@@ -127,7 +127,7 @@ TEST(TermsByNeed, TheChainStartsFromTheIrradiance) {
 
   for (const bool sparse : {false, true}) {
     SCOPED_TRACE(sparse ? "tiles" : "whole squares");
-    RenderSettings s = settings_at(6.2);
+    RenderSettings s = with_chain(settings_at(6.2));
     s.quality.cull = s.quality.clip = sparse;
     s.skin.translucency = false;
     const Picture whole = renderer().render(kept_head(), with_profile(s, "all terms", all));
@@ -183,10 +183,10 @@ TEST(TermsByNeed, EachHeadOfABatchTakesWhatItNeeds) {
 TEST(StaleMaps, AreNotReadWhereTermsAreLeftOut) {
   const Scene scene = near_and_far();
   for (const bool translucency : {false, true})
-    for (const LightMaps maps : {LightMaps::full, LightMaps::progressive}) {
-      SCOPED_TRACE(std::string(name_of(maps)) + (translucency ? ", translucent" : ""));
+    for (const BlurOrder blur : {BlurOrder::cascade, BlurOrder::chain}) {
+      SCOPED_TRACE(std::string(name_of(blur)) + (translucency ? ", translucent" : ""));
       RenderSettings s = settings_near_and_far();
-      s.quality.maps = maps;
+      s.quality.blur = blur;
       s.skin.translucency = translucency;
       const Picture clean = renderer().render(scene, s), stale = poisoned_renderer().render(scene, s);
       EXPECT_TRUE(std::all_of(stale.linear_rgba.begin(), stale.linear_rgba.end(),

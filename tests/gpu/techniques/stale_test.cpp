@@ -118,14 +118,14 @@ TEST(StaleTexels, ShowWhateverIsLeftOut) {
   }
 }
 
-// Maps that halve, maps of many sizes, light without a body, one Gaussian.
+// Maps that halve, a map per Gaussian, light without a body.
 TEST(StaleTexels, ShowInNoOtherKindOfMap) {
   const Scene whole = wrap(plane_and_ball());
   RenderSettings s = stale_settings("texture-space");
-  s.quality.maps = LightMaps::progressive;
   s.quality.map_size = 256;
-  {
-    SCOPED_TRACE("progressive");
+  for (const BlurOrder blur : {BlurOrder::cascade, BlurOrder::chain}) {
+    SCOPED_TRACE(std::string(name_of(blur)));
+    s.quality.blur = blur;
     expect_nothing_stale(whole, s);
   }
   s = stale_settings("texture-space");

@@ -36,13 +36,12 @@ image::ImageF averaged(PreparedFrame& frame, RenderSettings s, double d_ref) {
 
 // The published picture.
 RenderSettings published(RenderSettings s) {
-  s.quality.maps = LightMaps::full;
   s.quality.blur = BlurOrder::chain;
   s.quality.shading = Shading::raster;
   return unoptimised(s);
 }
 
-// The optimisations of the paper, and what goes on from them.
+// The optimisations of the paper, from its order of blurs, and what goes on from them.
 enum class Path { paper, cascade };
 
 RenderSettings small_view() {
@@ -54,7 +53,7 @@ RenderSettings small_view() {
 class Views : public WithScan, public testing::WithParamInterface<Path> {
  protected:
   RenderSettings on_path(RenderSettings s) const {
-    if (GetParam() == Path::paper) return s;
+    if (GetParam() == Path::paper) return with_chain(s);
     s.quality.shading = Shading::compute;
     return with_cascade(s);
   }

@@ -69,11 +69,9 @@ std::vector<Way> ways() {
   return {{"AsIs", [](RenderSettings&) {}},
           {"Unoptimised", [](RenderSettings& s) { s = unoptimised(s); }},
           {"Translucent", [](RenderSettings& s) { s.skin.translucency = true; }},
-          {"SkipsByAlpha", [](RenderSettings& s) { s.quality.mask = BlurMask::alpha; }},
-          {"SkipsByDepth", [](RenderSettings& s) { s.quality.mask = BlurMask::depth; }},
-          {"ProgressiveMaps",
+          {"Chain",
            [](RenderSettings& s) {
-             s.quality.maps = LightMaps::progressive;
+             s = with_chain(s);
              s.skin.translucency = true;
            }},
           {"Cascade",

@@ -29,9 +29,9 @@ void set_heads(techniques::FrameSettings& s, std::uint32_t heads, std::size_t pa
   s.heads.assign(heads, 0);
 }
 
-// Meshes whose chains of blurs differ in their number of steps and in the terms that end on small maps.
-void add_chains_that_differ(std::vector<Case>& all) {
-  for (const bool progressive : {false, true}) {
+// Meshes whose blurs differ in their number of steps, and cascades in the levels on which terms end.
+void add_blurs_that_differ(std::vector<Case>& all) {
+  for (const bool cascade : {false, true}) {
     techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
     set_heads(s, 2, 3);
     s.skin[0].max_texels_per_mm = s.skin[0].mean_texels_per_mm = 1;
@@ -40,8 +40,8 @@ void add_chains_that_differ(std::vector<Case>& all) {
     s.heads_per_batch = 2;
     s.optimise = {.cull = true, .depth = true, .clip = true};
     s.translucency = true;
-    s.progressive = progressive;
-    all.push_back({fmt::format("chains that differ{}", progressive ? ", small maps" : ""),
+    s.cascade = cascade;
+    all.push_back({fmt::format("{} that differ", cascade ? "cascades" : "chains"),
                    &techniques::find_technique("texture-space"), std::move(s)});
   }
 }
@@ -84,7 +84,7 @@ std::vector<Case> cases() {
   techniques::FrameSettings parts{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
   parts.meshes_per_batch = 2;
   parts.optimise = {.cull = true, .depth = true, .clip = true};
-  parts.translucency = parts.progressive = true;
+  parts.translucency = parts.cascade = true;
   set_heads(parts, 1, 3);
   all.push_back(
       {"2 of 3 skin parts at a time", &techniques::find_technique("texture-space"), std::move(parts)});
@@ -101,11 +101,11 @@ std::vector<Case> cases() {
     s.heads = {0, 1, 2, 0, 1};
     s.heads_per_batch = heads_per_batch;
     s.optimise = {.cull = true, .depth = true, .clip = true};
-    s.translucency = s.progressive = true;
+    s.translucency = s.cascade = true;
     all.push_back({fmt::format("three models, {} heads at a time", heads_per_batch),
                    &techniques::find_technique("texture-space"), std::move(s)});
   }
-  add_chains_that_differ(all);
+  add_blurs_that_differ(all);
   return all;
 }
 
@@ -178,7 +178,7 @@ TEST(TechniqueFrames, GrowByThePassOfLabels) {
 // As published, one head goes through all of them after the other.
 TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
   for (const techniques::Technique* technique : techniques::techniques())
-    for (const bool progressive : {false, true}) {
+    for (const bool cascade : {false, true}) {
       if (technique->as_published) continue;
       const auto passes_of = [&](std::uint32_t heads, std::uint32_t models) {
         techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
@@ -191,7 +191,7 @@ TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
         for (std::uint32_t head = 0; head < heads; ++head) s.heads[head] = head % models;
         s.heads_per_batch = heads;
         s.optimise = {.cull = true, .depth = true, .clip = true};
-        s.translucency = s.progressive = progressive;
+        s.translucency = s.cascade = cascade;
 
         passes::FramePlan plan;
         technique->build(plan, s);
@@ -199,7 +199,7 @@ TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
         for (const PassNode& pass : plan.passes()) names.push_back(pass.name);
         return names;
       };
-      EXPECT_EQ(passes_of(64, 6), passes_of(1, 1)) << technique->name << progressive;
+      EXPECT_EQ(passes_of(64, 6), passes_of(1, 1)) << technique->name << cascade;
     }
 }
 
@@ -221,21 +221,18 @@ TEST(TechniqueFrames, ChainsThatDifferTakeTheirCommonStepsTogether) {
   EXPECT_EQ(blurs({4, 4}, 2), blurs({4}, 6));
 }
 
-// The lists of tiles of a level are cleared for all meshes at once: a mesh that gets there early must wait.
-TEST(TechniqueFrames, ListTheTilesOfALevelOnce) {
-  techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
-  set_heads(s, 1, 2);
-  s.skin[1].max_texels_per_mm = 40;
-  s.optimise = {.cull = true, .depth = true, .clip = true};
-  s.progressive = true;
-  passes::FramePlan plan;
-  techniques::find_technique("texture-space").build(plan, s);
-
-  std::map<std::string, int> lists;
-  for (const PassNode& pass : plan.passes())
-    if (pass.name.starts_with("clear tiles")) ++lists[pass.name];
-  EXPECT_GE(lists.size(), 2u);
-  for (const auto& [name, count] : lists) EXPECT_EQ(count, 1) << name;
+// The lists of tiles of full size are cleared for all meshes at once.
+TEST(TechniqueFrames, ListTheTilesOfFullSizeOnce) {
+  for (const bool cascade : {false, true}) {
+    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+    set_heads(s, 1, 2);
+    s.skin[1].max_texels_per_mm = 40;
+    s.optimise = {.cull = true, .depth = true, .clip = true};
+    s.cascade = cascade;
+    passes::FramePlan plan;
+    techniques::find_technique("texture-space").build(plan, s);
+    EXPECT_EQ(std::ranges::count(plan.passes(), "clear tiles", &PassNode::name), 1) << cascade;
+  }
 }
 
 std::uint64_t texture_bytes(const FrameGraph& plan) {
@@ -252,7 +249,7 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
           .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3};
       set_heads(s, 4, 1);
       s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
-      s.translucency = s.progressive = more;
+      s.translucency = s.cascade = more;
 
       const techniques::Technique& technique = techniques::find_technique("texture-space");
       const auto bytes = [&](std::uint32_t heads_per_batch) {
@@ -263,25 +260,25 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
       };
       const techniques::MapMemory memory = techniques::map_memory(technique, s);
       EXPECT_EQ(bytes(4) - bytes(1), 3 * (memory.light_maps + memory.shadow_maps))
-          << (sparse ? "tiles" : "whole squares") << ", translucency and small maps " << more;
+          << (sparse ? "tiles" : "whole squares") << ", translucency and cascade " << more;
     }
 }
 
 // Light maps of two parts at a time take the same memory however many parts follow one another.
 TEST(TechniqueFrames, PartsTakeTurnsWithTheirMaps) {
-  for (const bool progressive : {false, true}) {
+  for (const bool cascade : {false, true}) {
     const auto plan_of = [&](std::size_t parts) {
       techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
       s.meshes_per_batch = 2;
       s.optimise = {.cull = true, .depth = true, .clip = true};
       s.translucency = true;
-      s.progressive = progressive;
+      s.cascade = cascade;
       set_heads(s, 1, parts);
       passes::FramePlan plan;
       techniques::find_technique("texture-space").build(plan, s);
       return plan;
     };
-    EXPECT_EQ(texture_bytes(plan_of(100)), texture_bytes(plan_of(4))) << progressive;
+    EXPECT_EQ(texture_bytes(plan_of(100)), texture_bytes(plan_of(4))) << cascade;
   }
 }
 

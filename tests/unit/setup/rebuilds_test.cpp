@@ -34,7 +34,6 @@ struct Exception {
 };
 constexpr Exception exceptions[] = {
     {"skin.normalise_profile", "weights that nearly sum to 1", "others are refused, or sum to 1 already"},
-    {"quality.blur", "progressive maps", "a cascade takes no others"},
     {"quality.map_budget_mb", "heads in the studio", "a head by itself takes one square"},
     {"quality.kernel", "in screen space", "light maps have no kernels in the picture"},
     {"quality.taps", "in screen space", "nor taps"},
@@ -84,7 +83,6 @@ const std::string& medium_file() {
 std::vector<Frame> frames() {
   const Subject subject = head();
   return {{"the built-in head", subject, {}},
-          {"progressive maps", subject, {.quality = {.maps = LightMaps::progressive}}},
           {"in screen space", subject, {.technique = "separable"}},
           {"heads in the studio",
            subject,
