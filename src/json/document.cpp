@@ -107,12 +107,12 @@ namespace {
 
 void leave_out_empty(Json& json, const std::string& place, bool counts, LeftOut& left_out) {
   if (json.is_array()) {
-    // An element keeps its number: among objects, null is one without members.
+    // An element keeps its number: among objects, what is none is one without members.
     const bool of_objects =
         std::any_of(json.begin(), json.end(), [](const Json& e) { return e.is_object(); });
     for (std::size_t i = 0; i < json.size(); ++i) {
       if (json[i].is_structured()) leave_out_empty(json[i], place_of_element(place, i), counts, left_out);
-      if (!json[i].is_null() || !of_objects) continue;
+      if (json[i].is_object() || !of_objects) continue;
       left_out.count += counts ? 1 : 0;
       if (counts && left_out.first.size() < 3) left_out.first.push_back(place_of_element(place, i));
       json[i] = Json::object();

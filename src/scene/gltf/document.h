@@ -124,6 +124,7 @@ struct Mesh {
   std::vector<double> weights;
   std::vector<std::string> target_names;  ///< extras.targetNames; empty: it has none that can be used
   std::size_t targets = 0;                ///< morph targets of the primitive that has most
+  std::string fault;                      ///< of its list of primitives
 };
 
 struct Node {
@@ -136,11 +137,12 @@ struct Node {
   std::vector<double> weights;
   bool visible = true;  ///< with all below it
   std::string place;
-  std::string fault;  ///< of its place: counts where something is shown below it
+  std::string fault;       ///< of its place: counts where something is shown below it
+  std::string mesh_fault;  ///< of the numbers of its mesh and skin: counts where it is shown
 };
 struct Skin {
-  int inverse_bind = -1;  ///< accessor
-  std::vector<int> joints;
+  int inverse_bind = -1;    ///< accessor
+  std::vector<int> joints;  ///< -1: a node that is not there, on which nothing may hang
   std::string fault;
 };
 

@@ -221,12 +221,14 @@ void check_limits(const Document& document, std::uint64_t read_bytes, const Load
 
   for (const int n : shown_nodes(document)) {
     const Node& node = document.nodes[n];
+    check_fault(node.mesh_fault);
     if (node.mesh < 0) continue;
     const Mesh& mesh = document.meshes[node.mesh];
     const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
     const auto active = static_cast<std::uint64_t>(
         std::count_if(weights.begin(), weights.end(), [](double w) { return w != 0; }));
 
+    check_fault(mesh.fault);
     for (const MeshPrimitive& primitive : mesh.primitives) {
       check_fault(primitive.fault);
       const std::uint64_t here = claimed_triangles(document, primitive);

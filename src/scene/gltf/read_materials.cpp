@@ -218,7 +218,12 @@ void read_textures(Document& document, const Value& root) {
     image.fault = fault_of([&] { read_image(document, value, image); });
   });
   std::vector<Texture> samplers;
-  root.for_each("samplers", [&](const Value& value) { samplers.push_back(read_sampler(value)); });
+  const std::string fault = fault_of([&] {
+    root.for_each("samplers", [&](const Value& value) { samplers.push_back(read_sampler(value)); });
+  });
+  if (!fault.empty())
+    warn_of_fault(document.file, "samplers that cannot be read are left out", "samplers", fault,
+                  "pictures repeat, and are filtered");
   root.for_each("textures", [&](const Value& value) {
     const int sampler = index_near(value, "sampler", samplers.size(), "sampler");
     Texture texture = sampler >= 0 ? samplers[sampler] : Texture{};

@@ -216,11 +216,13 @@ void read_meshes(Document& document, const Value& root) {
     Mesh mesh;
     mesh.name = text_near(value, "name", value.place());
     if (!value.has("primitives")) warn_at(value, "has no primitives");
-    value.for_each("primitives", [&](const Value& part) {
-      MeshPrimitive& primitive = mesh.primitives.emplace_back();
-      primitive.place = part.place();
-      primitive.fault = fault_of([&] { read_primitive(document, part, primitive); });
-      mesh.targets = std::max(mesh.targets, primitive.targets.size());
+    mesh.fault = fault_of([&] {
+      value.for_each("primitives", [&](const Value& part) {
+        MeshPrimitive& primitive = mesh.primitives.emplace_back();
+        primitive.place = part.place();
+        primitive.fault = fault_of([&] { read_primitive(document, part, primitive); });
+        mesh.targets = std::max(mesh.targets, primitive.targets.size());
+      });
     });
     mesh.weights = read_weights(value, mesh.targets);
     mesh.target_names = read_target_names(value, mesh.targets);

@@ -77,9 +77,11 @@ Node read_node(const Document& document, const Value& value, std::size_t nodes, 
   node.place = value.place();
   node.name = text_near(value, "name", "");
   node.fault = fault_of([&] { read_place(value, node); });
-  node.mesh = value.index_or_none("mesh", document.meshes.size(), "mesh");
-  node.skin =
-      node.mesh < 0 ? index_near(value, "skin", skins, "skin") : value.index_or_none("skin", skins, "skin");
+  node.mesh_fault = fault_of([&] {
+    node.mesh = value.index_or_none("mesh", document.meshes.size(), "mesh");
+    if (node.mesh >= 0) node.skin = value.index_or_none("skin", skins, "skin");
+  });
+  if (node.mesh < 0) node.skin = index_near(value, "skin", skins, "skin");
   node.camera = index_near(value, "camera", document.cameras.size(), "camera");
   if (const auto light = extension(value, "KHR_lights_punctual"))
     node.light = index_near(*light, "light", document.lights.size(), "light");
@@ -141,8 +143,22 @@ void link_parents(Document& document) {
   open_loops(document);
 }
 
+// Returns the joints of a skin, of which some are no nodes of the file.
+std::vector<int> joints_that_are_there(const Value& value, std::size_t nodes) {
+  const Value list = value.at("joints");
+  std::vector<int> joints;
+  for (std::size_t i = 0; i < list.array_size(); ++i) {
+    const Value joint = list.element(i);
+    const double number = joint.is_number() ? joint.any_number() : -1;
+    const bool there = number >= 0 && number < static_cast<double>(nodes) && number == std::floor(number);
+    if (!there) warn_at(joint, "is a joint that is not there, on which nothing may hang");
+    joints.push_back(there ? static_cast<int>(number) : -1);
+  }
+  return joints;
+}
+
 void read_skin(const Document& document, const Value& value, Skin& skin) {
-  skin.joints = value.indices("joints", document.nodes.size(), "node");
+  if (value.has("joints")) skin.joints = joints_that_are_there(value, document.nodes.size());
   skin.inverse_bind = value.index_or_none("inverseBindMatrices", document.accessors.size(), "accessor");
   if (skin.inverse_bind < 0) return;
   const Accessor& a = document.accessors[static_cast<std::size_t>(skin.inverse_bind)];
@@ -223,7 +239,7 @@ void check_places(const Document& document) {
     if (stands) check_fault(faults[static_cast<std::size_t>(n)]);
     if (node.mesh < 0 || node.skin < 0) continue;
     for (const int joint : document.skins[static_cast<std::size_t>(node.skin)].joints)
-      check_fault(faults[static_cast<std::size_t>(joint)]);
+      if (joint >= 0) check_fault(faults[static_cast<std::size_t>(joint)]);
   }
   for (const Node& node : document.nodes)
     if (!node.fault.empty())

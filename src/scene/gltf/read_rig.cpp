@@ -80,8 +80,8 @@ class Matrices {
     const std::vector<float> bind =
         source.inverse_bind >= 0 ? bytes_.floats(source.inverse_bind) : std::vector<float>{};
     for (std::size_t j = 0; j < source.joints.size(); ++j) {
-      RigMatrix& matrix = rig_.matrices.emplace_back(RigMatrix{.node = source.joints[j]});
-      // Nothing hangs on joints without a matrix: Frames::repair_weights().
+      RigMatrix& matrix = rig_.matrices.emplace_back(RigMatrix{.node = std::max(source.joints[j], 0)});
+      // Nothing hangs on joints without a node or a matrix: Frames::repair_weights().
       const auto first = bind.begin() + static_cast<std::ptrdiff_t>(std::min(16 * j, bind.size()));
       if (bind.size() < 16 * (j + 1) ||
           !std::all_of(first, first + 16, [](float f) { return std::isfinite(f); }))

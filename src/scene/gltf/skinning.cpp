@@ -39,7 +39,8 @@ const std::vector<glm::dmat4>& JointMatrices::of(int node) {
     for (std::size_t k = 0; k < 16 && !inverse_bind.empty(); ++k)
       bind[static_cast<glm::length_t>(k / 4)][static_cast<glm::length_t>(k % 4)] =
           16 * j + k < inverse_bind.size() ? double{inverse_bind[16 * j + k]} : NAN;
-    entry->second.push_back(world_[skin.joints[j]] * bind);
+    const int joint = skin.joints[j];
+    entry->second.push_back(joint < 0 ? glm::dmat4(NAN) : world_[static_cast<std::size_t>(joint)] * bind);
   }
   return entry->second;
 }
@@ -84,10 +85,11 @@ void Frames::repair_weights(LocalMesh& mesh, const MeshPrimitive& primitive) con
       if (mesh.weights[set][i] == 0) continue;
       const auto joint = static_cast<std::size_t>(mesh.joints[set][i]);
       if (!is_finite(joints_[joint]))
-        throw input_error(document_.file,
-                          "{}: vertices hang on joint {} of their skin, which has no inverse bind matrix, or "
-                          "one that is not finite",
-                          primitive.place, joint);
+        throw input_error(
+            document_.file,
+            "{}: vertices hang on joint {} of their skin, which is no node, or whose inverse bind "
+            "matrix is missing or not finite",
+            primitive.place, joint);
     }
 }
 

@@ -21,7 +21,7 @@ json::Document parse(std::string_view text, const std::string& file) {
   json::Document document(text, file, limits);
   document.root().object();
   if (const json::LeftOut& empty = document.left_out(); empty.count > 0)
-    warn_in(file, "{} null or empty, read as if not there: {}{}",
+    warn_in(file, "{} null, empty or of another type than the others, read as if not there: {}{}",
             empty.count == 1 ? "a member is" : fmt::format("{} members are", empty.count),
             fmt::join(empty.first, ", "), empty.count > empty.first.size() ? ", ..." : "");
   return document;

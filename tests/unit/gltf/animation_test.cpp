@@ -265,7 +265,7 @@ TEST_F(Moved, FaultyReferencesAreOneLine) {
       {[](Json& j) { j["animations"][0]["samplers"][0].erase("output"); }, "output"},
       {[](Json& j) {
          j["nodes"][0]["skin"] = 0;
-         j["skins"] = {{{"joints", {0, 12}}}};
+         j["skins"] = {{{"joints", {12, 0}}}};
        },
        "joint"},
   };

@@ -278,7 +278,8 @@ TEST(GltfMesh, MatricesOfJointsAreNeededWhereVerticesHang) {
   b.json["skins"] = Json::array({{{"joints", {1, 2}}, {"inverseBindMatrices", one_matrix}}});
   expect_near(b.load().primitives[0].vertices[1].position_m, {0.2f, 0, 2});
   attributes["WEIGHTS_0"] = both;
-  EXPECT_ERROR(b.error(), "vertices hang on joint 1 of their skin, which has no inverse bind matrix");
+  EXPECT_ERROR(b.error(),
+               "vertices hang on joint 1 of their skin, which is no node, or whose inverse bind matrix");
 
   // Weights that cannot be read refuse the mesh where the node has a skin.
   attributes["WEIGHTS_0"] = few;

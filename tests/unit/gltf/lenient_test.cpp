@@ -56,6 +56,41 @@ TEST(GltfLenient, EmptyAndNullMembersAreNotThere) {
   expect_drawn([](Builder& b) { b.json["scenes"] = Json::array(); }, "scenes");
 }
 
+// Where nothing that is shown needs them.
+TEST(GltfLenient, ElementsOfAnotherTypeAreEmpty) {
+  for (const char* array : {"meshes", "nodes", "materials"})
+    for (const Json& element : {Json(5), Json("five"), Json::array({1}), Json(true)})
+      expect_drawn(
+          [&](Builder& b) {
+            b.json["scenes"] = {{{"nodes", {0}}}};
+            b.json[array].push_back(element);
+          },
+          fmt::format("of another type than the others, read as if not there: {}[1]", array));
+  expect_drawn([](Builder& b) { b.json["samplers"] = {5}; }, "pictures repeat, and are filtered");
+}
+
+TEST(GltfLenient, MeshesAndNodesThatNothingShownNeedsMayBeBroken) {
+  const auto unused = [](const char* array, const Json& element) {
+    return [=](Builder& b) {
+      b.json["scenes"] = {{{"nodes", {0}}}};
+      b.json[array].push_back(element);
+    };
+  };
+  expect_drawn(unused("meshes", {{"primitives", 5}}), "");
+  expect_drawn(unused("meshes", {{"primitives", {{"attributes", {{"POSITION", 99}}}}}}), "");
+  expect_drawn(unused("nodes", {{"mesh", 99}}), "");
+  expect_drawn(unused("nodes", {{"mesh", 0}, {"skin", 7}}), "");
+
+  Builder b;
+  b.triangle();
+  b.json["nodes"].push_back({{"mesh", 99}});
+  b.json["scenes"] = {{{"nodes", {0, 1}}}};
+  EXPECT_ERROR(b.error(), "there is no mesh 99");
+  b.json["nodes"][1] = {{"mesh", 1}};
+  b.json["meshes"].push_back({{"primitives", 5}});
+  EXPECT_ERROR(b.error(), "primitives");
+}
+
 TEST(GltfLenient, ClipsThatMoveNothingAreLeftOut) {
   for (const Json& clip :
        {Json{{"name", "Take 001"}, {"channels", Json::array()}, {"samplers", Json::array()}},

@@ -173,10 +173,16 @@ const Hostile hostile[] = {
      "", ""},
     {"a joint of no node",
      [](Sound& b) {
+       b.hangs_on(1);
+       b.json["skins"][0]["joints"] = {1, 12};
+     },
+     "vertices hang on joint 1 of their skin, which is no node", nullptr},
+    {"a joint of no node, on which nothing hangs",
+     [](Sound& b) {
        b.hangs_on(0);
        b.json["skins"][0]["joints"] = {1, 12};
      },
-     "joint", nullptr},
+     "", ""},
     {"vertices on a joint that the skin lacks", [](Sound& b) { b.hangs_on(7); }, "", ""},
     {"vertices on a joint", [](Sound& b) { b.hangs_on(0); }, "", ""},
     {"a bind matrix that is nan",
@@ -186,7 +192,7 @@ const Hostile hostile[] = {
        bind[5] = NAN;
        b.json["skins"][0]["inverseBindMatrices"] = b.accessor(bind, "MAT4");
      },
-     "joint 0 of their skin, which has no inverse bind matrix, or one that is not finite", nullptr},
+     "joint 0 of their skin, which is no node, or whose inverse bind matrix is missing", nullptr},
     {"a loop of nodes",
      [](Sound& b) {
        b.json["nodes"][0]["children"] = {1};
