@@ -22,6 +22,7 @@
 
 #include "dermis/error.h"
 #include "dermis/hooks.h"
+#include "dermis/recorded_work.h"
 #include "dermis/scene.h"
 #include "dermis/settings.h"
 
@@ -89,7 +90,8 @@ struct Statistics {
   /// Layers of shadow maps that were drawn, those of light that enters included; the others still showed what
   /// they had to: see QualitySettings::keep_shadows. Of a PreparedFrame: by the first frame.
   std::uint64_t shadow_maps_drawn = 0;
-  std::uint64_t barriers = 0;  ///< pipeline barriers of a frame, likewise
+  RecordedWork recorded;              ///< of a frame, likewise
+  std::uint64_t light_map_bytes = 0;  ///< of the light maps that heads of a batch share, of all sizes
 
   /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;

@@ -124,7 +124,7 @@ void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup&
   executor_.reset();  // its memory first: two frames may not fit
   const double before = renderer_->library.creation_ms();
   executor_.emplace(renderer_->library, made);
-  kept_shadows_ = {};
+  kept_shadows_ = kept_texels_ = {};
   pipeline_ms_ = renderer_->library.creation_ms() - before;
   renderer_->library.save_cache();
   outputs_ = made_outputs;
@@ -136,14 +136,24 @@ passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
   posed_.fill(memory, setup_, data, measured);
   shadow_versions_.fill(setup_, scene_, input_.placed, input_.host ? &*input_.host : nullptr, data);
   data.kept_shadows = &kept_shadows_;
+  data.kept_texels = &kept_texels_;
   if (options_.labels) motion_.fill(memory, setup_, input_.placed, ids_, data);
   return data;
 }
 
 RecordCounts PlannedFrame::count(const std::function<void()>& record) const {
-  const std::uint64_t maps = kept_shadows_.drawn(), barriers = executor_->barriers();
+  const std::uint64_t maps = kept_shadows_.drawn();
   record();
-  return {kept_shadows_.drawn() - maps, executor_->barriers() - barriers};
+  std::uint64_t bytes = 0;
+  for (const frame::TextureId map : outputs_.light_maps)
+    bytes += gpu::bytes_of(executor_->graph().textures()[map.index].desc);
+  return {kept_shadows_.drawn() - maps, executor_->recorded(), bytes};
+}
+
+void fill_recorded(Statistics& statistics, const RecordCounts& counts) {
+  statistics.shadow_maps_drawn = counts.shadow_maps;
+  statistics.recorded = counts.work;
+  statistics.light_map_bytes = counts.light_map_bytes;
 }
 
 }  // namespace dermis::api

@@ -22,8 +22,11 @@ namespace dermis::api {
 /// What recording a frame has counted.
 struct RecordCounts {
   std::uint64_t shadow_maps = 0;  ///< layers that were drawn
-  std::uint64_t barriers = 0;
+  RecordedWork work;
+  std::uint64_t light_map_bytes = 0;  ///< of the plan
 };
+
+void fill_recorded(Statistics& statistics, const RecordCounts& counts);
 
 class PlannedFrame {
  public:
@@ -58,6 +61,7 @@ class PlannedFrame {
     posed_.move_all();
     motion_.undo();
     shadow_versions_.forget();
+    kept_texels_ = {};
   }
   void make_ready() { ready_ = true; }
   /// Until make_ready(); what has moved stays moved.
@@ -105,7 +109,7 @@ class PlannedFrame {
   RenderSettings settings_;
   techniques::FrameOutputs outputs_;
   std::optional<frame::Executor<passes::FrameData>> executor_;
-  passes::KeptShadows kept_shadows_;  // of its memory
+  passes::KeptMaps kept_shadows_, kept_texels_;  // of its memory
   /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.
   std::vector<AssetPointer> unwrap_assets_;
   double pipeline_ms_ = 0;

@@ -147,8 +147,7 @@ Picture PreparedFrame::State::picture() {
   statistics.timing = frame.executor().separate_submissions() ? "submit" : "timestamp";
   if (!times.empty()) api::fill_times(statistics, times, frame.executor().graph());
   api::fill_counts(statistics, frame.scene().subjects(), settings, frame.setup(), counters);
-  statistics.shadow_maps_drawn = recorded.shadow_maps;
-  statistics.barriers = recorded.barriers;
+  api::fill_recorded(statistics, recorded);
   statistics.upload_ms = frame.scene().upload_ms();
   statistics.pipeline_ms = frame.pipeline_ms();
 

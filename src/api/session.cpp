@@ -157,8 +157,7 @@ Picture Session::State::picture(const Slot& slot) const {
     counters.assign(counted.begin(), counted.end());
   }
   api::fill_counts(picture.statistics, slot.scene.subjects(), slot.settings, slot.setup, counters);
-  picture.statistics.shadow_maps_drawn = slot.recorded.shadow_maps;
-  picture.statistics.barriers = slot.recorded.barriers;
+  api::fill_recorded(picture.statistics, slot.recorded);
   api::fill_device(picture.statistics, device);
   picture.statistics.exposure_ev = *slot.settings.output.exposure_ev;
   return picture;

@@ -58,8 +58,16 @@ std::string Statistics::json() const {
                  {"mapped_terms", mapped_terms}};
 
   j["shadow_maps_drawn"] = shadow_maps_drawn;
-  j["barriers"] = barriers;
-  j["memory_bytes"] = {{"images", image_bytes}, {"buffers", buffer_bytes}, {"peak", peak_bytes}};
+  j["barriers"] = recorded.barriers;
+  j["dispatches"] = recorded.dispatches;
+  j["renderings"] = recorded.renderings;
+  j["draws"] = recorded.draws;
+  j["switches"] = recorded.switches;
+  j["cleared_pixels"] = recorded.cleared_pixels;
+  j["memory_bytes"] = {{"images", image_bytes},
+                       {"buffers", buffer_bytes},
+                       {"peak", peak_bytes},
+                       {"light_maps", light_map_bytes}};
   return j.dump(2) + "\n";
 }
 

@@ -88,7 +88,7 @@ void GraphExecutor::record(VkCommandBuffer commands, const RecordPass& record_pa
     if (timer) timer->end(commands);
     device().end_label(commands);
   }
-  recorded_barriers_ += cmd.barriers();
+  recorded_ = cmd.recorded();
 }
 
 void GraphExecutor::poison() {
@@ -107,14 +107,17 @@ FrameTime GraphExecutor::run(const RecordPass& record_pass) {
   if (separate_) {
     const FrameKind kind{.first = std::exchange(first_, false)};
     const Barriers& barriers = barriers_of(kind);
+    recorded_ = {};
+    auto last = gpu::Cmd::Work::none;
     for (std::size_t p = 0; p < graph_.passes().size(); ++p) {
       if (!kind.has(graph_.passes()[p].runs)) continue;
       const auto start = steady_clock::now();
       device().run([&](VkCommandBuffer commands) {
-        gpu::Cmd cmd(device(), commands);
+        gpu::Cmd cmd(device(), commands, last);
         record_barriers(cmd, barriers[p]);
         record_pass(cmd, p);
-        recorded_barriers_ += cmd.barriers();
+        recorded_ += cmd.recorded();
+        last = cmd.last();
       });
       time.passes.push_back(
           {graph_.passes()[p].name, duration<double, std::milli>(steady_clock::now() - start).count()});

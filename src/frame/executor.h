@@ -36,7 +36,7 @@ class GraphExecutor {
   /// Returns the layout in which the last recorded frame leaves a texture.
   VkImageLayout layout_of(TextureId id) const { return layouts_[id.index]; }
   bool separate_submissions() const { return separate_; }
-  std::uint64_t barriers() const { return recorded_barriers_; }  ///< recorded in all frames so far
+  const RecordedWork& recorded() const { return recorded_; }  ///< by the last frame
 
   const FrameGraph& graph() const { return graph_; }
   const Resources& resources() const { return resources_; }
@@ -64,7 +64,7 @@ class GraphExecutor {
   std::vector<VkImageLayout> layouts_;  // current layout of each texture
   bool first_ = true;                   // no frame has been recorded
   bool separate_ = false;
-  std::uint64_t recorded_barriers_ = 0;
+  RecordedWork recorded_;
 };
 
 template <class Context>

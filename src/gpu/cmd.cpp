@@ -106,7 +106,13 @@ VkRenderingAttachmentInfo depth_attachment(const DepthTarget& target) {
 
 }  // namespace
 
-Cmd::Cmd(Device& device, VkCommandBuffer handle) : device_(&device), handle_(handle) {}
+Cmd::Cmd(Device& device, VkCommandBuffer handle, Work before)
+    : device_(&device), handle_(handle), last_(before) {}
+
+void Cmd::goes_on_with(Work work) {
+  if (last_ != Work::none && last_ != work) ++recorded_.switches;
+  last_ = work;
+}
 
 void Cmd::bind(const Pipeline& pipeline, std::span<const Binding> bindings) {
   const auto& vk = device_->vk();
@@ -146,6 +152,8 @@ void Cmd::dispatch(std::uint32_t groups_x, std::uint32_t groups_y, std::uint32_t
   DERMIS_ASSERT_LE(groups_y, most[1]);
   DERMIS_ASSERT_LE(groups_z, most[2]);
   device_->vk().vkCmdDispatch(handle_, groups_x, groups_y, groups_z);
+  ++recorded_.dispatches;
+  goes_on_with(Work::compute);
 }
 
 void Cmd::dispatch_over(const Pipeline& pipeline, std::uint32_t threads_x, std::uint32_t threads_y,
@@ -160,12 +168,21 @@ void Cmd::dispatch_over(const Pipeline& pipeline, std::uint32_t threads_x, std::
 void Cmd::dispatch_indirect(const Buffer& arguments, std::uint64_t offset) {
   DERMIS_ASSERT_LE(offset + sizeof(VkDispatchIndirectCommand), arguments.desc().bytes);
   device_->vk().vkCmdDispatchIndirect(handle_, arguments.handle(), offset);
+  ++recorded_.dispatches;
+  goes_on_with(Work::compute);
 }
 
 void Cmd::begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth,
                                VkRect2D area, bool y_down) {
   std::vector<VkRenderingAttachmentInfo> attachments;
-  for (const ColourTarget& target : colour) attachments.push_back(colour_attachment(target));
+  std::uint64_t cleared = depth && depth->clear ? 1 : 0;
+  for (const ColourTarget& target : colour) {
+    attachments.push_back(colour_attachment(target));
+    cleared += target.clear ? 1 : 0;
+  }
+  recorded_.cleared_pixels += cleared * area.extent.width * area.extent.height;
+  ++recorded_.renderings;
+  goes_on_with(Work::rendering);
   VkRenderingInfo info{};
   info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
   info.renderArea = area;
@@ -201,6 +218,7 @@ void Cmd::end_rendering() { device_->vk().vkCmdEndRendering(handle_); }
 void Cmd::draw(std::uint32_t vertices, std::uint32_t instances, std::uint32_t first_vertex,
                std::uint32_t first_instance) {
   device_->vk().vkCmdDraw(handle_, vertices, instances, first_vertex, first_instance);
+  ++recorded_.draws;
 }
 
 void Cmd::draw_indexed(const BufferBinding& indices, std::uint32_t count, std::uint32_t first,
@@ -210,14 +228,7 @@ void Cmd::draw_indexed(const BufferBinding& indices, std::uint32_t count, std::u
                    indices.buffer->desc().bytes);
   device_->vk().vkCmdBindIndexBuffer(handle_, indices.buffer->handle(), indices.offset, VK_INDEX_TYPE_UINT32);
   device_->vk().vkCmdDrawIndexed(handle_, count, instances, first, 0, first_instance);
-}
-
-void Cmd::draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws) {
-  DERMIS_ASSERT_LE(offset + std::uint64_t{draws} * sizeof(VkDrawIndirectCommand), arguments.desc().bytes);
-  // One call per draw: several draws per call are an optional feature.
-  for (std::uint32_t i = 0; i < draws; ++i)
-    device_->vk().vkCmdDrawIndirect(handle_, arguments.handle(), offset + i * sizeof(VkDrawIndirectCommand),
-                                    1, sizeof(VkDrawIndirectCommand));
+  ++recorded_.draws;
 }
 
 void Cmd::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {
@@ -250,18 +261,9 @@ void Cmd::update(const Buffer& to, std::span<const std::byte> bytes) {
     device_->vk().vkCmdUpdateBuffer(handle_, to.handle(), at, std::min(bytes.size() - at, most), &bytes[at]);
 }
 
-void Cmd::clear(const Texture& to, std::array<float, 4> colour) {
-  DERMIS_ASSERT_EQ(aspect_of(to.desc().format), static_cast<VkImageAspectFlags>(VK_IMAGE_ASPECT_COLOR_BIT));
-  const VkClearColorValue value{{colour[0], colour[1], colour[2], colour[3]}};
-  const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
-                                    VK_REMAINING_ARRAY_LAYERS};
-  device_->vk().vkCmdClearColorImage(handle_, to.handle(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1,
-                                     &all);
-}
-
 void Cmd::barrier(const VkDependencyInfo& dependencies) {
   device_->vk().vkCmdPipelineBarrier2(handle_, &dependencies);
-  ++barriers_;
+  ++recorded_.barriers;
 }
 
 void Cmd::barrier_all() {

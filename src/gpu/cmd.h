@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "dermis/recorded_work.h"
 #include "gpu/pipelines.h"
 #include "gpu/resources.h"
 #include "gpu/vulkan.h"
@@ -51,7 +52,10 @@ struct DepthTarget {
 
 class Cmd {
  public:
-  Cmd(Device& device, VkCommandBuffer handle);
+  enum class Work : std::uint8_t { none, compute, rendering };
+
+  /// `before`: the last work of the frame so far, so that RecordedWork::switches is that of a frame.
+  Cmd(Device& device, VkCommandBuffer handle, Work before = Work::none);
   VkCommandBuffer handle() const { return handle_; }
   Device& device() const { return *device_; }
 
@@ -84,7 +88,6 @@ class Cmd {
   /// 32-bit indices; `first` counts from the offset of the binding, bytes.
   void draw_indexed(const BufferBinding& indices, std::uint32_t count, std::uint32_t first = 0,
                     std::uint32_t instances = 1, std::uint32_t first_instance = 0);
-  void draw_indirect(const Buffer& arguments, std::uint64_t offset, std::uint32_t draws);
 
   void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
   /// Copies mip 0, tightly packed; `from` must be in TRANSFER_SRC layout.
@@ -92,16 +95,19 @@ class Cmd {
   void fill(const Buffer& to, std::uint32_t value);
   /// Writes bytes that travel in the command buffer itself: a multiple of 4, few of them.
   void update(const Buffer& to, std::span<const std::byte> bytes);
-  void clear(const Texture& to, std::array<float, 4> colour);  ///< in TRANSFER_DST layout
   void barrier(const VkDependencyInfo& dependencies);
   /// Makes all that was written before visible to all that comes after.
   void barrier_all();
-  std::uint32_t barriers() const { return barriers_; }  ///< recorded so far
+  const RecordedWork& recorded() const { return recorded_; }  ///< so far
+  Work last() const { return last_; }
 
  private:
+  void goes_on_with(Work work);
+
   Device* device_;
   VkCommandBuffer handle_;
-  std::uint32_t barriers_ = 0;
+  RecordedWork recorded_;
+  Work last_;
 };
 
 }  // namespace dermis::gpu

@@ -13,7 +13,7 @@
 #include "gpu/cmd.h"
 #include "gpu/resources.h"
 #include "passes/gpu_scene.h"
-#include "passes/kept_shadows.h"
+#include "passes/kept_maps.h"
 #include "passes/mapped_terms.h"
 #include "passes/pixel_area.h"
 #include "shared/scene_io.h"
@@ -120,13 +120,14 @@ struct FrameData {
   const gpu::Texture* environment = nullptr;  ///< RGBA16F, prefiltered; none: uniform light
   /// RGBA16F, what stands behind the heads, with its lamps; none: uniform light, or it is not shown
   const gpu::Texture* environment_picture = nullptr;
-  std::vector<Instance> instances;      ///< at least one
-  std::vector<RigMove> moves;           ///< those that move in this frame, each once
-  std::vector<SkyTurn> sky_turns;       ///< those, and any in a pose under another sky than before
-  std::optional<VkRect2D> area;         ///< part of the targets that is the picture; none: all
-  PixelArea heads;                      ///< of the targets: beside it is no head
-  DrawIrradiance draw_irradiance;       ///< of a host
-  KeptShadows* kept_shadows = nullptr;  ///< of the memory of the plan; none: all shadow maps are drawn
+  std::vector<Instance> instances;   ///< at least one
+  std::vector<RigMove> moves;        ///< those that move in this frame, each once
+  std::vector<SkyTurn> sky_turns;    ///< those, and any in a pose under another sky than before
+  std::optional<VkRect2D> area;      ///< part of the targets that is the picture; none: all
+  PixelArea heads;                   ///< of the targets: beside it is no head
+  DrawIrradiance draw_irradiance;    ///< of a host
+  KeptMaps* kept_shadows = nullptr;  ///< of the memory of the plan; none: all shadow maps are drawn
+  KeptMaps* kept_texels = nullptr;   ///< likewise of TexelMap
 };
 
 using FramePlan = frame::FramePlan<FrameData>;

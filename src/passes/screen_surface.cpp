@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/screen_surface.h"
 
-#include "passes/clear_textures.h"
+#include "passes/clear_surface.h"
 #include "passes/targets.h"
 
 namespace dermis::passes {
@@ -22,7 +22,7 @@ ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uin
       .surface =
           plan.texture("surface of skin", {.width = width, .height = height, .format = VK_FORMAT_R32_UINT}),
       .leaving = plan.texture("leaving skin", leaving)};
-  plan.add<ClearTextures>("clear skin", {{made.light, made.depth_mm, made.surface}});
+  plan.add<ClearSurface>("clear skin", {made.light, made.depth_mm, made.surface});
   return made;
 }
 

@@ -20,6 +20,10 @@
 namespace dermis::setup {
 namespace {
 
+// Share of the texels of an unwrap that triangles may share, and still have a fixed owner each: few texels
+// then show a triangle that is culled where the light of another is wanted, and are filled from beside them.
+constexpr double few_overlap = 0.01;
+
 // What the heads of a model have in common.
 struct ModelKey {
   const Subject* subject = nullptr;
@@ -108,7 +112,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   fill_coarse(part, density, s.quality.map_size);
 
   part.off_map = scene::has_chartless(mesh);
-  part.overlaps = subject.overlaps[number] > 0;
+  part.overlaps = subject.overlaps[number] > few_overlap;
   part.kinds.reset();
   for (const int index : mesh.triangle_material) {
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];

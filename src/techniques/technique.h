@@ -47,7 +47,7 @@ struct SkinPart {
   /// some of the skin has so few texels that narrow terms are lit per pixel there: passes::coarse_share()
   bool coarse = false;
   bool off_map = false;                            ///< some of its triangles have no chart of the unwrap
-  bool overlaps = false;                           ///< several of its triangles share a texel
+  bool overlaps = false;                           ///< many of its triangles share texels
   bool cut_out = false;                            ///< some of its materials have an alpha test
   std::bitset<passes::SkinKind::count> kinds = 1;  ///< of its materials: passes::SkinLook
   bool posed = false;                              ///< it takes poses: its metric changes from frame to frame

@@ -16,7 +16,7 @@ namespace {
 void declare_sources(frame::Declare& d, const Irradiance::Settings& settings, const Irradiance::In& in,
                      const LitTexels& texels) {
   d.kind(frame::PassKind::compute);
-  d.sample(texels.maps.numbers);
+  d.sample(texels.map);
   d.sample(texels.lists.entries);
   d.read(texels.lists.lists);
   d.indirect(texels.lists.arguments);
@@ -60,7 +60,7 @@ void TexelPipelines::record(gpu::Cmd& cmd, const frame::Resources& resources, co
 
     Bindings bindings = of_pass;
     bindings.add("Frame", frame.frame_io)
-        .add("texels", resources.nearest(texels.maps.numbers))
+        .add("texels", resources.nearest(texels.map))
         .add("entries", resources.nearest(texels.lists.entries))
         .add("Lists", resources.buffer(texels.lists.lists));
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
@@ -78,24 +78,6 @@ void TexelPipelines::record(gpu::Cmd& cmd, const frame::Resources& resources, co
       cmd.push(pipeline, io::TexelsIo{.origin = square.origin, .side = square.side, .list = list});
       cmd.dispatch_indirect(resources.buffer(texels.lists.arguments), list * sizeof(io::TexelArgumentsIo));
     }
-  }
-}
-
-ClearIrradiance::Out ClearIrradiance::declare(frame::Declare& d) {
-  d.kind(frame::PassKind::raster);
-  d.colour(in.light);
-  for (const frame::TextureId joining : in.joining) d.colour(joining);
-  return {};
-}
-
-void ClearIrradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  std::vector<gpu::ColourTarget> targets{{.texture = &resources.texture(in.light), .clear = no_light}};
-  for (const frame::TextureId joining : in.joining)
-    targets.push_back({.texture = &resources.texture(joining), .clear = no_light});
-
-  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-    cmd.begin_rendering_area(targets, {}, square.area(), true);
-    cmd.end_rendering();
   }
 }
 

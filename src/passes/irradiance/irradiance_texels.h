@@ -8,14 +8,14 @@
 
 #include "passes/irradiance/irradiance.h"
 #include "passes/texel_lists.h"
-#include "passes/texel_maps.h"
 
 namespace dermis::passes {
 
 /// Which texels are lit, and what they show.
 struct LitTexels {
-  TexelMaps maps;    ///< of these squares
-  TexelLists lists;  ///< of these squares, with their ranges
+  frame::TextureId map;  ///< of TexelMap
+  TexelLists lists;      ///< of these squares, with their ranges
+  bool valid() const { return map.valid(); }
 };
 
 /// A pipeline for each kind of material and each profile, and what they are given: shared by the passes over
@@ -37,21 +37,6 @@ class TexelPipelines {
   LightingSamplers samplers_;
 };
 
-/// Clears what Irradiance clears.
-class ClearIrradiance {
- public:
-  struct Settings {
-    std::vector<MapSquare> squares;
-  } settings;
-  struct In {
-    frame::TextureId light;
-    std::vector<frame::TextureId> joining = {};
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
 /// As Irradiance, in a compute pass. Of two triangles that share texels the last one that is kept owns them,
 /// whether or not it is cut away. Needs `from_host` to be false.
 class IrradianceTexels {
@@ -60,7 +45,7 @@ class IrradianceTexels {
     Irradiance::Settings irradiance;
   } settings;
   struct In {
-    Irradiance::In irradiance;  ///< cleared by ClearIrradiance
+    Irradiance::In irradiance;  ///< cleared by ClearTexels
     LitTexels texels;
   } in;
   using Out = Irradiance::Out;

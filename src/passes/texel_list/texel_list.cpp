@@ -11,7 +11,7 @@ ListTexels::Out ListTexels::declare(frame::Declare& d) {
   const bool counted = in.lists.materials > 1 && !settings.counts_only;
   compute(d, "list_texels.comp",
           {{"counts_only", settings.counts_only ? 1u : 0u}, {"counted", counted ? 1u : 0u}});
-  d.sample(in.texels.numbers);
+  d.sample(in.texels);
   if (in.kept.valid()) d.read(in.kept.indices);
   d.write(in.lists.lists);
   d.write(in.lists.entries);
@@ -22,7 +22,7 @@ void ListTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const GpuMesh& mesh = instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
     Bindings bindings;
-    bindings.add("texels", resources.nearest(in.texels.numbers))
+    bindings.add("texels", resources.nearest(in.texels))
         .add("Lists", resources.buffer(in.lists.lists))
         .add("entries", resources.storage(in.lists.entries));
     mesh.offer(bindings);

@@ -10,7 +10,6 @@
 #include "passes/kept_triangles.h"
 #include "passes/light_pool.h"
 #include "passes/texel_lists.h"
-#include "passes/texel_maps.h"
 
 namespace dermis::passes {
 
@@ -23,7 +22,7 @@ class ListTexels : public ComputePass {
   } settings;
   struct In {
     TexelLists lists;
-    TexelMaps texels;
+    frame::TextureId texels;  ///< of TexelMap
     KeptTriangles kept = {};  ///< not valid: nothing is culled
   } in;
   struct Out {};

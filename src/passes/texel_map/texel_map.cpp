@@ -1,57 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "passes/texel_map/texel_map.h"
 
-#include "core/assert.h"
 #include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/posed.h"
-#include "passes/texel_map/texel_map_io.h"
 
 namespace dermis::passes {
-namespace {
 
-const GpuMesh& mesh_of(const FrameData& frame, const MapSquare& square) {
-  return instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
-}
-
-// Not 0, which is no map that lasts.
-std::uint32_t stamp_of(std::uint32_t unwrap, std::uint32_t side) {
-  DERMIS_ASSERT_LT(unwrap, 0xFFFFu);
-  DERMIS_ASSERT_LT(side, 0x10000u);
-  return (unwrap + 1) << 16 | side;
-}
-
-}  // namespace
-
-StaleTexels::Out StaleTexels::declare(frame::Declare& d) {
-  compute(d, "stale_texels.comp");
-  d.write(in.maps.stamps);
-  d.write(in.maps.draws);
-  return {};
-}
-
-void StaleTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  Bindings()
-      .add("Stamps", resources.buffer(in.maps.stamps))
-      .add("Draws", resources.buffer(in.maps.draws))
-      .bind(cmd, pipeline());
-  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-    const auto indices = mesh_of(frame, square).indices.desc().bytes / sizeof(std::uint32_t);
-    dispatch(cmd,
-             io::StaleTexelsIo{.square = square.index,
-                               .stamp = settings.overlapping[square.mesh]
-                                            ? 0
-                                            : stamp_of(settings.unwraps[square.mesh], square.side),
-                               .vertices = 3 + static_cast<std::uint32_t>(indices)},
-             1, 1);
-  }
+frame::TextureId make_texel_map(frame::FrameGraph& graph, gpu::TextureDesc light) {
+  light.format = VK_FORMAT_R32_UINT;
+  return graph.texture("texel map", light, frame::Lifetime::persistent);
 }
 
 TexelMap::Out TexelMap::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  d.indirect(in.maps.draws);
   if (in.kept.valid()) d.read(in.kept.indices);
-  d.colour(in.maps.numbers);
+  d.colour(in.map);
   return {};
 }
 
@@ -66,19 +30,29 @@ void TexelMap::prepare(gpu::PipelineLibrary& library) {
   if (in.kept.valid()) overlapping_ = settings.clip ? make("texel_map_clipped.vert") : whole_;
 }
 
+bool TexelMap::must_draw(const FrameData& frame, const UsedSquare& square) const {
+  if (!frame.kept_texels) return true;
+  const std::uint64_t unwrap = settings.unwraps[square.mesh] + 1, version = unwrap << 32 | square.side;
+  return frame.kept_texels->must_draw(in.map, square.index, 1,
+                                      settings.overlapping[square.mesh] ? 0 : version);
+}
+
 void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::ColourTarget target{.texture = &resources.texture(in.maps.numbers)};
+  const gpu::ColourTarget target{.texture = &resources.texture(in.map)};
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    if (!must_draw(frame, square)) continue;
     const Instance& instance = instance_of(frame, square);
+    const std::uint32_t number = mesh_in_asset(frame, square);
+    const auto indices = instance.scene->skin[number].indices.desc().bytes / sizeof(std::uint32_t);
     const bool overlapping = settings.overlapping[square.mesh];
     Bindings bindings;
     bindings.add("Frame", frame.frame_io).add("Head", instance.io);
-    offer_mesh(instance, mesh_in_asset(frame, square), bindings);
+    offer_mesh(instance, number, bindings);
     if (overlapping) bindings.add("Indices", kept_in(in.kept, resources, square));
 
     cmd.begin_rendering_area(std::span(&target, 1), {}, square.area(), true);
     bindings.bind(cmd, overlapping ? *overlapping_ : *whole_);
-    cmd.draw_indirect(resources.buffer(in.maps.draws), square.index * sizeof(io::TexelDrawIo), 1);
+    cmd.draw(3 + static_cast<std::uint32_t>(indices));
     cmd.end_rendering();
   }
 }

@@ -2,42 +2,32 @@
 /// Draws which triangle each texel of a light map shows, for passes that compute what is there.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "passes/compute_pass.h"
+#include "frame/graph.h"
 #include "passes/kept_triangles.h"
 #include "passes/light_pool.h"
-#include "passes/texel_maps.h"
 
 namespace dermis::passes {
 
-/// Finds the squares whose texel map is of another T, of another unwrap, or of other triangles.
-class StaleTexels : public ComputePass {
- public:
-  struct Settings {
-    std::vector<MapSquare> squares;
-    std::vector<std::uint32_t> unwraps;  ///< number of the unwrap, by skin mesh of the plan
-    std::vector<bool> overlapping;       ///< likewise: its map is drawn in each frame
-  } settings;
-  struct In {
-    TexelMaps maps;
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
+/// Returns the map of a pool, R32_UINT, which lasts from frame to frame: number of the triangle in
+/// GpuMesh::indices, plus one; 0: none. `light`: a texture of the pool that is not halved.
+frame::TextureId make_texel_map(frame::FrameGraph& graph, gpu::TextureDesc light);
 
-/// Draws those. Where triangles overlap in the unwrap, only what the frame lights of each is drawn: one that
-/// nobody sees does not take the texels of one that is seen.
+/// Draws the squares that hold another unwrap or another T (FrameData::kept_texels). Where triangles overlap
+/// in the unwrap, the map is that of a frame: only what it lights is drawn, and a triangle that nobody sees
+/// does not take the texels of one that is seen.
 class TexelMap {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    std::vector<bool> overlapping;  ///< as StaleTexels: of these meshes, what is kept
-    bool clip = false;              ///< and of that what lies in the picture and its margin
+    std::vector<std::uint32_t> unwraps;  ///< number of the unwrap, by skin mesh of the plan
+    std::vector<bool> overlapping;       ///< likewise: its map is drawn in each frame, of what is kept
+    bool clip = false;                   ///< and of that what lies in the picture and its margin
   } settings;
   struct In {
-    TexelMaps maps;
+    frame::TextureId map;
     KeptTriangles kept = {};  ///< as Irradiance; needed if any mesh overlaps
   } in;
   struct Out {};
@@ -46,6 +36,7 @@ class TexelMap {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
+  bool must_draw(const FrameData& frame, const UsedSquare& square) const;
   const gpu::Pipeline *whole_ = nullptr, *overlapping_ = nullptr;
 };
 

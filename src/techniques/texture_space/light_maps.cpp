@@ -5,6 +5,7 @@
 
 #include "frame/together.h"
 #include "passes/clear_buffers.h"
+#include "passes/clear_texels/clear_texels.h"
 #include "passes/count/count.h"
 #include "passes/cull_triangles/cull_triangles.h"
 #include "passes/dilate/dilate.h"
@@ -48,12 +49,9 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   }
   if (settings.optimise.cull || (settings.texel_maps && settings.optimise.clip))
     kept_ = passes::make_kept_triangles(plan, pool_.squares(), most_triangles);
-  if (settings.texel_maps) {
-    texels_ = {.maps = passes::make_texel_maps(plan, pool_.texture(0), pool_.squares()),
+  if (settings.texel_maps)
+    texels_ = {.map = passes::make_texel_map(plan, pool_.texture(0)),
                .lists = passes::make_texel_lists(plan, pool_.texture(0), pool_.squares(), most_materials)};
-    // No map is drawn yet.
-    plan.add<passes::ClearBuffers>("clear texel map stamps", {{texels_.maps.stamps}}, {frame::Runs::once});
-  }
   if (settings.cascade)
     make_cascade();
   else
@@ -162,7 +160,7 @@ std::vector<frame::TextureId> LightMaps::textures() const {
   std::vector<frame::TextureId> all = blurred_;
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
   for (const auto& [of, map] : halved_transmitted_) all.push_back(map);
-  for (const frame::TextureId map : {texels_.maps.numbers, texels_.lists.entries})
+  for (const frame::TextureId map : {texels_.map, texels_.lists.entries})
     if (map.valid()) all.push_back(map);
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
   for (const Level& level : levels_) {
@@ -237,7 +235,7 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
     plan_->add<passes::CullTriangles>(name("cull triangles"), {kept_},
                                       {.squares = all,
                                        .cull = settings_->optimise.cull,
-                                       .clip = texels_.maps.valid() && settings_->optimise.clip});
+                                       .clip = texels_.valid() && settings_->optimise.clip});
   if (settings_->host_lights())
     plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
   add_irradiance(irradiance);
@@ -259,7 +257,7 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
 void LightMaps::add_irradiance(const passes::Irradiance::Settings& settings) {
   const passes::Irradiance::In in{levels_.front().light, screen_->shadow(), screen_->entering(),
                                   transmitted_,          host_irradiance_,  kept_};
-  if (texels_.maps.valid()) {
+  if (texels_.valid()) {
     add_texels(settings, in);
     return;
   }
@@ -282,14 +280,13 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
     unwraps.push_back(part.unwrap);
     overlapping.push_back(kept_.valid() && part.overlaps);
   }
-  plan_->add<passes::StaleTexels>(name("stale texels"), {texels_.maps}, {squares, unwraps, overlapping});
   const bool any = std::ranges::find(overlapping, true) != overlapping.end();
-  plan_->add<passes::TexelMap>(name("texel map"), {texels_.maps, any ? kept_ : passes::KeptTriangles{}},
-                               {squares, overlapping, settings.clip});
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_.map, any ? kept_ : passes::KeptTriangles{}},
+                               {squares, unwraps, overlapping, settings.clip});
 
   plan_->add<passes::ClearBuffers>(name("clear texel lists"), {{lists.lists}});
   const auto list = [&](std::string_view what, bool counts_only) {
-    plan_->add<passes::ListTexels>(name(what), {lists, texels_.maps, kept_},
+    plan_->add<passes::ListTexels>(name(what), {lists, texels_.map, kept_},
                                    {.squares = squares, .counts_only = counts_only});
   };
   const bool counts = lists.materials > 1;
@@ -298,7 +295,9 @@ void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const p
   plan_->add<passes::TexelRanges>(name("texel ranges"), {lists}, {squares});
   if (counts) list("texel list", false);
 
-  plan_->add<passes::ClearIrradiance>(name("clear irradiance"), {in.light, in.joining}, {squares});
+  std::vector<frame::TextureId> maps{in.light};
+  maps.insert(maps.end(), in.joining.begin(), in.joining.end());
+  plan_->add<passes::ClearTexels>(name("clear irradiance"), {maps}, {squares});
   plan_->add<passes::IrradianceTexels>(name("irradiance"), {in, texels_}, {settings});
   if (settings_->translucency)
     plan_->add<passes::TransmissionMissesOfTexels>(name("count transmission misses"),

@@ -18,7 +18,6 @@
 #include "gpu/transfer.h"
 #include "image/colour.h"
 #include "passes/shaders.h"
-#include "passes/texel_map/texel_map_io.h"
 #include "scene/load.h"
 #include "scene/primitives.h"
 #include "setup/frame_data.h"
@@ -65,8 +64,6 @@ class Frames {
     scene_ = std::make_unique<passes::GpuScene>(bench()->library, *subject_.scene, subject_.skin);
     look_ = scene_->make_look(bench()->device, {});
     outputs_ = setup_.technique->build(plan_, setup_.plan);
-    for (std::uint32_t i = 0; i < plan_.buffers().size(); ++i)
-      if (plan_.buffers()[i].name == "texel map draws") draws_ = {i};
     executor_ = std::make_unique<frame::Executor<passes::FrameData>>(bench()->library, plan_);
   }
 
@@ -79,8 +76,9 @@ class Frames {
                            size.width_texels);
     memory_.clear();
     const setup::InstanceOnDevice instance{.scene = scene_.get(), .look = &look_, .sky = {}};
-    const passes::FrameData data =
-        setup::frame_data(memory_, setup_, outputs_, std::span(&instance, 1), nullptr);
+    passes::FrameData data = setup::frame_data(memory_, setup_, outputs_, std::span(&instance, 1), nullptr);
+    data.kept_texels = &kept_;
+    drawn_before_ = kept_.drawn();
     memory_.upload();
     executor_->draw(data, {.changed = true, .statistics = true});
   }
@@ -109,12 +107,7 @@ class Frames {
   }
 
   /// Whether the last frame has drawn the map of texels.
-  bool drew_texel_map() const {
-    const auto bytes = gpu::read_back(bench()->device, executor_->resources().buffer(draws_));
-    io::TexelDrawIo draw{};
-    std::memcpy(&draw, bytes.data(), sizeof(draw));
-    return draw.instances > 0;
-  }
+  bool drew_texel_map() const { return kept_.drawn() > drawn_before_; }
 
  private:
   void set_up(const RenderSettings& settings) {
@@ -134,7 +127,8 @@ class Frames {
   passes::GpuLook look_;
   passes::FramePlan plan_;
   techniques::FrameOutputs outputs_;
-  frame::BufferId draws_;
+  passes::KeptMaps kept_;
+  std::uint64_t drawn_before_ = 0;
   std::unique_ptr<frame::Executor<passes::FrameData>> executor_;
   gpu::FrameMemory memory_{bench()->device, "frame"};
 };
