@@ -53,7 +53,8 @@ def main():
         columns = ["technique"] + (["frame ms"] if cost else [])
         table(columns + ["FLIP", "HDR-FLIP", "PSNR dB", "relMSE", "less noise"], rows)
 
-        plain = [t for t in result["techniques"] if "--optimise" not in t["name"]]
+        plain = [t for t in result["techniques"]
+                 if "--optimise" not in t["name"] and "--blur" not in t["name"]]
         rows = []
         for region in result["regions"]:
             if region["pixels"] == 0:
