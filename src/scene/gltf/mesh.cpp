@@ -74,6 +74,18 @@ class Source {
     return values;
   }
 
+  /// Of joints, without values below 0: a vertex stays within the places to which its joints move it.
+  std::vector<float> weights(const std::string& name, const std::vector<std::uint32_t>& order) {
+    std::vector<float> values = finite_or(0, name, 4, order);
+    bool negative = false;
+    for (float& value : values) {
+      negative |= value < 0;
+      value = std::max(value, 0.0f);
+    }
+    if (negative) warn_at(document_.file, primitive_.place, name + " is below 0 somewhere, and counts as 0");
+    return values;
+  }
+
  private:
   const Document& document_;
   Bytes& bytes_;
@@ -158,7 +170,7 @@ LocalMesh read_mesh(const Document& document, Bytes& bytes, const MeshPrimitive&
   for (int set = 0; set < 2; ++set) {
     mesh.uvs[set] = source.attribute(fmt::format("TEXCOORD_{}", set), 2, order);
     mesh.joints[set] = source.finite_or(0, fmt::format("JOINTS_{}", set), 4, order);
-    mesh.weights[set] = source.finite_or(0, fmt::format("WEIGHTS_{}", set), 4, order);
+    mesh.weights[set] = source.weights(fmt::format("WEIGHTS_{}", set), order);
     if (repair_coordinates(mesh.indices, mesh.uvs[set]))
       warn_at(document.file, primitive.place,
               "has texture coordinates that are not finite or out of range; they become those beside them");

@@ -2,6 +2,7 @@
 // glTF: the whole way from a file to a scene, and to the skin that is rendered from it.
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -95,7 +96,9 @@ void prepare(const Scene& scene) {
 }
 
 void check_inside(const Bounds& bounds, const glm::vec3& position_m) {
-  const double slack = 1e-4 * (bounds.sphere.radius_m + glm::length(glm::dvec3(position_m)));
+  // Below the least normal number floats have few digits.
+  const double slack = 1e-4 * (bounds.sphere.radius_m + glm::length(glm::dvec3(position_m))) +
+                       std::numeric_limits<float>::min();
   DERMIS_ASSERT_LE(glm::distance(glm::dvec3(position_m), glm::dvec3(bounds.sphere.centre_m)),
                    bounds.sphere.radius_m + slack);
 }

@@ -259,6 +259,7 @@ TEST(GltfLenient, VerticesWithoutWeightHangOnTheirFirstJoint) {
   expect_at(1, 0.5f, {0.2f, 0, 7}, "");
   expect_at(9, 1, {0.2f, 3, 0}, loose);
   expect_at(1, NAN, {0.2f, 0, 7}, "WEIGHTS_0 is not finite everywhere");
+  expect_at(1, -2, {0.2f, 0, 7}, "WEIGHTS_0 is below 0 somewhere");
 }
 
 TEST(GltfLenient, MaterialsTakeTheNearestValue) {
