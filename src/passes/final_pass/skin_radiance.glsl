@@ -9,8 +9,8 @@
 #include "shaders/skin_through.glsl"
 #endif
 layout(constant_id = 0) const int term_count = 6;
-layout(constant_id = 1) const bool direct = false;       // what the weights lack of 1 is lit per pixel
-layout(constant_id = 17) const bool summed = false;      // the first map holds the weighted sum
+layout(constant_id = 1) const bool direct = false;   // what the weights lack of 1 is lit per pixel
+layout(constant_id = 17) const bool summed = false;  // the first map holds the weighted sum
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
 layout(binding = 16) uniform sampler2D light_2;
