@@ -11,9 +11,7 @@
 #include <random>
 #include <tuple>
 
-#include "cli/bench/measure.h"
 #include "cli/bench/statistics.h"
-#include "cli/bench/variants.h"
 #include "cli/comparison/quality.h"
 #include "cli/comparison/turns.h"
 #include "cli/progress.h"
@@ -242,7 +240,7 @@ class Run {
   }
 
   // Rows that equal the first, which has the settings of the caller, are left out.
-  void add_each_optimisation(const std::string& name, const RenderSettings& s) {
+  void add_each_optimisation(const std::string& name, const RenderSettings& s, const Statistics& first) {
     static constexpr struct {
       const char* name;
       bool cull, depth, clip;
@@ -258,10 +256,9 @@ class Run {
         add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
     }
 
-    if (techniques::find_technique(name).as_published) return;
     RenderSettings chain = s;
     chain.quality.blur = BlurOrder::chain;
-    if (s.quality.blur != BlurOrder::chain) add(name + ", --blur chain", scene_, chain);
+    if (first.blur == "cascade") add(name + ", --blur chain", scene_, chain);
   }
 
   static bool same_switches(const QualitySettings& a, const QualitySettings& b) {
@@ -273,7 +270,7 @@ class Run {
     s.technique = name;
     const Statistics first = add(name, scene_, s);
     if (!techniques::find_technique(name).has_light_maps) return;  // which the rows below are about
-    if (settings_.each_optimisation) add_each_optimisation(name, s);
+    if (settings_.each_optimisation) add_each_optimisation(name, s, first);
     if (first.shape_aware) {
       s.skin.shape_aware = false;
       add(name + ", --shape-aware off", scene_, s);

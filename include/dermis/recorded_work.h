@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What frames ask of a device: counted while they are recorded, exact, and the same on every device.
+/// Counts of the work that frames ask of a device, taken while they are recorded: exact, and the same on
+/// every device.
 #pragma once
 
 #include <cstdint>

@@ -128,6 +128,9 @@ void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup&
   pipeline_ms_ = renderer_->library.creation_ms() - before;
   renderer_->library.save_cache();
   outputs_ = made_outputs;
+  light_map_bytes_ = 0;
+  for (const frame::TextureId map : outputs_.light_maps)
+    light_map_bytes_ += gpu::bytes_of(made.textures()[map.index].desc);
 }
 
 passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
@@ -144,10 +147,7 @@ passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
 RecordCounts PlannedFrame::count(const std::function<void()>& record) const {
   const std::uint64_t maps = kept_shadows_.drawn();
   record();
-  std::uint64_t bytes = 0;
-  for (const frame::TextureId map : outputs_.light_maps)
-    bytes += gpu::bytes_of(executor_->graph().textures()[map.index].desc);
-  return {kept_shadows_.drawn() - maps, executor_->recorded(), bytes};
+  return {kept_shadows_.drawn() - maps, executor_->recorded(), light_map_bytes_};
 }
 
 void fill_recorded(Statistics& statistics, const RecordCounts& counts) {

@@ -108,6 +108,7 @@ class PlannedFrame {
   Input input_;  // and settings_: of the last set()
   RenderSettings settings_;
   techniques::FrameOutputs outputs_;
+  std::uint64_t light_map_bytes_ = 0;  // of the plan
   std::optional<frame::Executor<passes::FrameData>> executor_;
   passes::KeptMaps kept_shadows_, kept_texels_;  // of its memory
   /// Of the meshes whose metric the memory of the plan holds, in the order of their unwraps.

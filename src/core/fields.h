@@ -50,7 +50,7 @@ Field(std::string_view, Type Settings::*, About) -> Field<Settings, Type>;
 template <class Settings>
 inline constexpr std::tuple<> fields_of{};
 
-/// Of versions before: a setting, or a value of one. Files may still have it; it is left out, with a warning.
+/// A setting of versions before, or a value of one. Files may still have it; it is left out, with a warning.
 struct Gone {
   std::string_view name, value = {};  ///< no value: the setting itself
   std::string_view instead;           ///< the rest of the warning

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What maps show that last from frame to frame, so that they are drawn only when that changes.
+/// Versions of the contents of maps that last from frame to frame, so that they are drawn only when these
+/// change.
 #pragma once
 
 #include <cstdint>

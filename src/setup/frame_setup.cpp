@@ -158,8 +158,9 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   });
 }
 
-// Where maps are coarse, how much of a term is lit per pixel must be known where its light joins the cascade,
-// not where it is read. A map of one term is there in the chain alone.
+// Returns whether a cascade blurs the light. Coarse maps take the chain: the part of a term that is lit per
+// pixel is known where its light is read, and a cascade needs it where the light joins. A map of one term is
+// there in the chain alone. Throws InputError if the settings ask for a cascade on coarse maps.
 bool takes_cascade(const techniques::FrameSettings& plan, const RenderSettings& s) {
   const auto is_coarse = [](const techniques::SkinPart& part) { return part.coarse; };
   const bool coarse = std::any_of(plan.skin.begin(), plan.skin.end(), is_coarse);

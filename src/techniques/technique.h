@@ -140,8 +140,9 @@ struct FrameSettings {
   std::uint32_t most_meshes() const;                 ///< of a model
   std::uint32_t draws_of(const Model& model) const;  ///< SkinPart::draws of its meshes
   bool draws_picture() const { return !host || host->picture; }
-  /// What halved_side() takes for T_max: a cascade relies on the texels per sigma of its levels.
-  std::uint32_t halving_side() const { return cascade ? passes::careful_largest_side(map_size) : map_size; }
+  /// T_max for halved_side(): a cascade, which alone halves maps, relies on the texels per sigma of its
+  /// levels.
+  std::uint32_t halving_side() const { return passes::careful_largest_side(map_size); }
   bool host_lights() const { return host && host->irradiance; }
   /// Where a map is smaller than T_max, narrow terms are lit per pixel: passes::direct_share(). Light that a
   /// host draws is known in the maps alone; a host that reads the sum of a cascade reads all of it there.

@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "cli/bench/measure.h"
-#include "cli/bench/variants.h"
 #include "settings/names.h"
 #include "techniques/technique.h"
 

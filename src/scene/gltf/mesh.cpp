@@ -74,7 +74,7 @@ class Source {
     return values;
   }
 
-  /// Of joints, without values below 0: a vertex stays within the places to which its joints move it.
+  /// Returns weights of joints. Those below 0 become 0: a vertex stays within the places of its joints.
   std::vector<float> weights(const std::string& name, const std::vector<std::uint32_t>& order) {
     std::vector<float> values = finite_or(0, name, 4, order);
     bool negative = false;

@@ -59,16 +59,19 @@ void read_place(const Value& value, Node& node) {
   node.local = node.transform->matrix();
 }
 
+// Returns the number of a node of the file; -1 for anything else.
+int node_that_is_there(const Value& value, std::size_t nodes) {
+  const double number = value.is_number() ? value.any_number() : -1;
+  const bool there = number >= 0 && number < static_cast<double>(nodes) && number == std::floor(number);
+  return there ? static_cast<int>(number) : -1;
+}
+
 std::vector<int> children_that_are_there(const Value& value, std::size_t nodes) {
   const Value list = value.at("children");
   warn_at(list, "name nodes that are not there, and are left out");
   std::vector<int> children;
-  for (std::size_t i = 0; list.is_array() && i < list.array_size(0); ++i) {
-    if (!list.element(i).is_number()) continue;
-    const double number = list.element(i).any_number();
-    if (number >= 0 && number < static_cast<double>(nodes) && number == std::floor(number))
-      children.push_back(static_cast<int>(number));
-  }
+  for (std::size_t i = 0; list.is_array() && i < list.array_size(0); ++i)
+    if (const int child = node_that_is_there(list.element(i), nodes); child >= 0) children.push_back(child);
   return children;
 }
 
@@ -143,22 +146,20 @@ void link_parents(Document& document) {
   open_loops(document);
 }
 
-// Returns the joints of a skin, of which some are no nodes of the file.
-std::vector<int> joints_that_are_there(const Value& value, std::size_t nodes) {
+// Returns the joints of a skin, of which some may be no nodes of the file.
+std::vector<int> read_joints(const Value& value, std::size_t nodes) {
   const Value list = value.at("joints");
   std::vector<int> joints;
   for (std::size_t i = 0; i < list.array_size(); ++i) {
-    const Value joint = list.element(i);
-    const double number = joint.is_number() ? joint.any_number() : -1;
-    const bool there = number >= 0 && number < static_cast<double>(nodes) && number == std::floor(number);
-    if (!there) warn_at(joint, "is a joint that is not there, on which nothing may hang");
-    joints.push_back(there ? static_cast<int>(number) : -1);
+    joints.push_back(node_that_is_there(list.element(i), nodes));
+    if (joints.back() < 0)
+      warn_at(list.element(i), "is a joint that is not there, on which nothing may hang");
   }
   return joints;
 }
 
 void read_skin(const Document& document, const Value& value, Skin& skin) {
-  if (value.has("joints")) skin.joints = joints_that_are_there(value, document.nodes.size());
+  if (value.has("joints")) skin.joints = read_joints(value, document.nodes.size());
   skin.inverse_bind = value.index_or_none("inverseBindMatrices", document.accessors.size(), "accessor");
   if (skin.inverse_bind < 0) return;
   const Accessor& a = document.accessors[static_cast<std::size_t>(skin.inverse_bind)];

@@ -35,7 +35,7 @@ class Cascade {
   std::uint32_t coarsest() const { return coarsest_[0]; }  ///< halvings of its last level
   const std::vector<MapSquare>& squares() const { return squares_; }
 
-  /// What follows the pyramid of the light itself.
+  /// Returns the steps after the pyramid of the light itself.
   MeshSteps make() {
     if (settings_->translucency) add_transmitted();
     add_pyramids();
@@ -69,7 +69,7 @@ class Cascade {
     }
   }
 
-  // Of the further groups of light.
+  // Adds the pyramids of the further groups of light.
   void add_pyramids() {
     for (std::size_t g = 1; g < coarsest_.size(); ++g)
       for (std::uint32_t halvings = 1; halvings <= coarsest_[g]; ++halvings) {

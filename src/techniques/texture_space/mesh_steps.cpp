@@ -5,25 +5,32 @@
 
 namespace dermis::techniques {
 
-void add_steps(passes::FramePlan& plan, const LightMaps& maps, std::vector<MeshSteps> meshes) {
+// Takes the step of the mesh that has most left, and of all others whose next step has its name; meshes with
+// fewer steps wait. Returns none if all are done.
+std::vector<MeshSteps::Step> MeshSteps::take_next(std::vector<MeshSteps>& meshes) {
   const auto steps_left = [](const MeshSteps& mesh) { return mesh.steps_.size(); };
-  while (!meshes.empty()) {
-    // Meshes with fewer steps wait for the one that has most left.
-    const MeshSteps& longest = *std::ranges::max_element(meshes, {}, steps_left);
-    if (longest.steps_.empty()) return;
-    const std::string name = longest.steps_.front().name;
+  const auto longest = std::ranges::max_element(meshes, {}, steps_left);
+  std::vector<Step> taken;
+  if (longest == meshes.end() || longest->steps_.empty()) return taken;
 
+  const std::string name = longest->steps_.front().name;
+  for (MeshSteps& mesh : meshes) {
+    if (mesh.steps_.empty() || mesh.steps_.front().name != name) continue;
+    taken.push_back(std::move(mesh.steps_.front()));
+    mesh.steps_.pop_front();
+  }
+  return taken;
+}
+
+void add_steps(passes::FramePlan& plan, const LightMaps& maps, std::vector<MeshSteps> meshes) {
+  for (auto steps = MeshSteps::take_next(meshes); !steps.empty(); steps = MeshSteps::take_next(meshes)) {
     const auto add = [&]<class Pass>(const frame::Member<Pass>&) {
       typename frame::Together<Pass>::In in;
-      for (MeshSteps& mesh : meshes) {
-        if (mesh.steps_.empty() || mesh.steps_.front().name != name) continue;
-        in.members.push_back(std::get<frame::Member<Pass>>(std::move(mesh.steps_.front().does)));
-        mesh.steps_.pop_front();
-      }
-      plan.add<frame::Together<Pass>>(maps.name(name), in);
+      for (MeshSteps::Step& step : steps)
+        in.members.push_back(std::get<frame::Member<Pass>>(std::move(step.does)));
+      plan.add<frame::Together<Pass>>(maps.name(steps.front().name), in);
     };
-    const auto does = longest.steps_.front().does;  // a copy: the step itself is taken out
-    std::visit(add, does);
+    std::visit(add, steps.front().does);
   }
 }
 

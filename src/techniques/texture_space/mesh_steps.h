@@ -39,6 +39,8 @@ class MeshSteps {
           passes::Downsample, passes::Gutters, passes::Upsample>
         does;
   };
+  static std::vector<Step> take_next(std::vector<MeshSteps>& meshes);
+
   std::deque<Step> steps_;
 };
 

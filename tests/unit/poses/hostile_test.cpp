@@ -103,6 +103,7 @@ const Hostile hostile[] = {
     {"no times",
      [](Sound& b) { b.json["accessors"][b.clip()["samplers"][0]["input"].get<std::size_t>()]["count"] = 0; },
      "", "has no key frames"},
+
     {"a key is nan",
      [](Sound& b) {
        b.replace({0}, {0, NAN, 0});
@@ -165,12 +166,14 @@ const Hostile hostile[] = {
      "there is no accessor 99"},
     {"a way that is none", [](Sound& b) { b.clip()["samplers"][0]["interpolation"] = "BEZIER"; }, "",
      "LINEAR, STEP or CUBICSPLINE"},
+
     {"weights without targets",
      [](Sound& b) {
        b.add(0, "translation");
        b.clip()["channels"][0]["target"]["path"] = "weights";
      },
      "", ""},
+
     {"a joint of no node",
      [](Sound& b) {
        b.hangs_on(1);
@@ -185,6 +188,7 @@ const Hostile hostile[] = {
      "", ""},
     {"vertices on a joint that the skin lacks", [](Sound& b) { b.hangs_on(7); }, "", ""},
     {"vertices on a joint", [](Sound& b) { b.hangs_on(0); }, "", ""},
+
     {"a bind matrix that is nan",
      [](Sound& b) {
        b.hangs_on(0);
@@ -193,6 +197,7 @@ const Hostile hostile[] = {
        b.json["skins"][0]["inverseBindMatrices"] = b.accessor(bind, "MAT4");
      },
      "joint 0 of their skin, which is no node, or whose inverse bind matrix is missing", nullptr},
+
     {"a loop of nodes",
      [](Sound& b) {
        b.json["nodes"][0]["children"] = {1};
@@ -203,6 +208,7 @@ const Hostile hostile[] = {
     {"a node with a matrix",
      [](Sound& b) { b.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }, "",
      ""},
+
     {"ten thousand targets", [](Sound& b) { b.targets(10'000); }, "", ""},
     {"a clip of length 0",
      [](Sound& b) {
