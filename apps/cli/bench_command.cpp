@@ -171,12 +171,10 @@ void run(BenchArguments& a, const CLI::App& command, int& exit_status) {
   Renderer renderer({.device = a.device, .validate = false, .hooks = terminal_hooks()});
   const Scene scene = open_scene(a);
   const bool of_techniques = !a.techniques.empty();
-  if (!of_techniques) task.cascade = bench::cascade_is_possible(scene, a.settings);
   bench::Run found{
       .version = DERMIS_VERSION, .commit = commit(), .command = command_line(), .scene = scene.name()};
   found.cores = static_cast<int>(std::thread::hardware_concurrency());
   found.rounds = a.rounds;
-  found.cascade = task.cascade;
   found.settings = a.settings;
   found.options = a.options;
 

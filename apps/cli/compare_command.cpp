@@ -241,8 +241,7 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
       ->group(group);
   rare(command
            .add_flag("--each-optimisation", s.each_optimisation,
-                     "further rows: nothing optimised, cull, depth and clip by themselves, all of them, and "
-                     "these with a cascade of blurs and shading in compute")
+                     "further rows: nothing optimised, cull, depth and clip by themselves, and all of them")
            ->group(group));
   rare(command
            .add_option("--supersample", s.supersample,

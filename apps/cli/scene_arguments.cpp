@@ -333,7 +333,8 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
       file_under(truth_group, about, AddOption{command}("--" + std::string(about.option), about, value));
     });
   former_option(command, "--view", "is now --tone-map");
-  former_option(command, "--maps", "is gone: --blur chooses the sizes of light maps, too");
+  for (const char* gone : {"--maps", "--blur"})
+    former_option(command, gone, "is gone: texture-space blurs narrow to wide, on one size of maps");
 
   // Names of rooms that the rows know nothing of.
   if (CLI::Option* medium = command.get_option_no_throw("--medium")) {

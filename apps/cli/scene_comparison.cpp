@@ -240,7 +240,7 @@ class Run {
   }
 
   // Rows that equal the first, which has the settings of the caller, are left out.
-  void add_each_optimisation(const std::string& name, const RenderSettings& s, const Statistics& first) {
+  void add_each_optimisation(const std::string& name, const RenderSettings& s) {
     static constexpr struct {
       const char* name;
       bool cull, depth, clip;
@@ -255,10 +255,6 @@ class Run {
       if (!same_switches(one.quality, s.quality))
         add(fmt::format("{}, --optimise {}", name, on.name), scene_, one);
     }
-
-    RenderSettings chain = s;
-    chain.quality.blur = BlurOrder::chain;
-    if (first.blur == "cascade") add(name + ", --blur chain", scene_, chain);
   }
 
   static bool same_switches(const QualitySettings& a, const QualitySettings& b) {
@@ -270,7 +266,7 @@ class Run {
     s.technique = name;
     const Statistics first = add(name, scene_, s);
     if (!techniques::find_technique(name).has_light_maps) return;  // which the rows below are about
-    if (settings_.each_optimisation) add_each_optimisation(name, s, first);
+    if (settings_.each_optimisation) add_each_optimisation(name, s);
     if (first.shape_aware) {
       s.skin.shape_aware = false;
       add(name + ", --shape-aware off", scene_, s);

@@ -45,7 +45,6 @@ struct Statistics {
   std::string device, driver, api, technique;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
   std::string mask;                   ///< alpha, depth, tiles; empty if nothing is masked
-  std::string blur;                   ///< chain, cascade; empty for techniques without light maps
 
   /// Pixels; T_max in texels; how many. `gaussians`: terms of the profile.
   int width = 0, height = 0, map_size = 0, heads = 1, lights = 0, gaussians = 0;
@@ -79,7 +78,7 @@ struct Statistics {
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
   std::uint64_t transmission_misses = 0;  ///< light through the body that was looked up where none was stored
   /// Taps by which light is blurred: over light maps, what shader invocations read; in the picture, taps per
-  /// pixel of skin times skin_pixels. 0: not counted (a cascade of blurs), or nothing is blurred.
+  /// pixel of skin times skin_pixels. 0: nothing is blurred.
   std::uint64_t light_reads = 0;
 
   std::vector<int> used_size;  ///< T of each head in the row, texels; 0: skipped

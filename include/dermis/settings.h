@@ -94,12 +94,6 @@ enum class Shading : std::uint8_t {
   compute  ///< after all are drawn as ids: once per pixel and surface that it shows
 };
 
-/// How the Gaussians of a profile spread light over the light maps.
-enum class BlurOrder : std::uint8_t {
-  chain,   ///< narrow to wide, each from the one before, a map per Gaussian
-  cascade  ///< wide to narrow on a pyramid of maps, one map for the sum
-};
-
 /// How the texels of light maps are lit.
 enum class IrradianceBy : std::uint8_t {
   raster,  ///< triangles are drawn in texture coordinates
@@ -125,10 +119,15 @@ enum class BlurResolution : std::uint8_t {
 /// Details against time and memory; what is not computed because it is not seen.
 /// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
 struct QualitySettings {
-  /// T_max: texels of a side of the light maps, 32 to the device's limit
+  /// T_max: texels of a side of the light maps, at most, 32 to the device's limit. With `depth` texture-space
+  /// takes as few as its wide Gaussians need (docs/techniques.md), whatever this is: 512 for a scan of a
+  /// head.
   int map_size = 2048;
   int shadow_size = 2048;  ///< texels
   int samples = 4;         ///< anti-aliasing, 1 or 4 per pixel
+  /// Points, 1 or 2, at which skin is lit and shaded in a pixel that one surface covers: light has edges and
+  /// glints finer than a pixel, which anti-aliasing of surfaces does not see. Of skin shaded in compute.
+  int light_samples = 2;
 
   bool cull = true;                         ///< leave out skin that faces away from the eye
   bool depth = true;                        ///< light maps only as large as the head's distance needs
@@ -143,9 +142,6 @@ struct QualitySettings {
   /// none: fastest on the kind of device. The targets of a host are always drawn into, and so is what ids
   /// cannot tell apart (docs/techniques.md).
   std::optional<Shading> shading{};
-  /// none: cascade; chain where light maps have too few texels for it (docs/techniques.md), and where `show`
-  /// names the map of one Gaussian
-  std::optional<BlurOrder> blur{};
   std::optional<IrradianceBy> irradiance{};               ///< none: fastest on the kind of device
   ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space
   BlurResolution blur_resolution = BlurResolution::full;  ///< likewise, of those that blur

@@ -99,8 +99,8 @@ void check_light_is_stored(const techniques::Shown& shown, const std::string& na
   if (shown.needs == Needs::nothing || head == setup.heads.rend()) return;
 
   const std::uint32_t mesh = setup.plan.models[head->model].first_mesh;
-  const auto side = static_cast<std::uint32_t>(head->map_side);
-  const passes::MappedTerms mapped = techniques::mapped_terms(setup.plan, mesh, side);
+  const std::uint32_t side = head->detail.side;
+  const passes::MappedTerms mapped = techniques::mapped_terms(setup.plan, mesh, head->detail);
   if (!mapped.any)
     throw input_error("",
                       "output.show '{}' is not stored from here: with {} of {} texels per side all terms are "
@@ -111,7 +111,7 @@ void check_light_is_stored(const techniques::Shown& shown, const std::string& na
         "",
         "output.show '{}' is not stored from here: with {} of {} texels per side the terms before "
         "blur:{} are lit per pixel; without quality.depth all are stored",
-        name, side, setup.plan.map_size, mapped.first_written);
+        name, side, setup.plan.map_size, setup.plan.skin[mesh].first_mapped + mapped.first_written);
 }
 
 }  // namespace
@@ -136,7 +136,6 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
   }
 
   std::vector<std::string> names{"picture"};
-  if (setup.plan.cascade && !settings.quality.blur) names.emplace_back("blur:K");
   for (const auto& [name, shown] : out.shows) names.push_back(name);
   throw input_error("", "output.show '{}' is not known to this technique; {}", settings.output.show,
                     listed_names(settings.output.show, names));
@@ -171,7 +170,6 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.skin_pixels = report.skin_pixels;
   st.optimise = report.optimise;
   st.mask = report.mask;
-  st.blur = report.blur;
   st.translucency = report.translucency;
   st.shape_aware = report.shape_aware;
   st.irradiance_texels = report.irradiance_texels;
@@ -187,7 +185,8 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   if (!setup.technique->has_light_maps) return;
   st.used_size.resize(setup.heads.size());
   for (const setup::HeadSetup& head : setup.heads)
-    st.used_size[static_cast<std::size_t>(head.number)] = head.visible ? head.map_side : 0;
+    st.used_size[static_cast<std::size_t>(head.number)] =
+        head.visible ? static_cast<int>(head.detail.side) : 0;
 
   st.mapped_terms.resize(setup.heads.size());
   for (const setup::HeadSetup& head : setup.heads) {
@@ -195,8 +194,7 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
     int& most = st.mapped_terms[static_cast<std::size_t>(head.number)];
     for (std::uint32_t mesh = model.first_mesh; head.visible && mesh < model.first_mesh + model.meshes;
          ++mesh)
-      most = std::max(most,
-                      techniques::mapped_count(setup.plan, mesh, static_cast<std::uint32_t>(head.map_side)));
+      most = std::max(most, techniques::mapped_count(setup.plan, mesh, head.detail));
   }
 }
 
@@ -274,7 +272,7 @@ void read_picture(Picture& picture, frame::GraphExecutor& executor, const techni
   picture.width = static_cast<int>(desc.width);
   picture.height = static_cast<int>(desc.height);
   picture.linear_rgba = values_of(read(shown.map, shown.layer), shown.as, desc.width);
-  if (shown.used_square) crop(picture, shown.origin, setup.heads.back().map_side);
+  if (shown.used_square) crop(picture, shown.origin, static_cast<int>(setup.heads.back().detail.side));
   picture.display_rgba = display_values(picture.linear_rgba, shown.as == techniques::Shown::As::light);
 }
 

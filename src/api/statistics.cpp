@@ -15,7 +15,6 @@ std::string Statistics::json() const {
   j["technique"] = technique;
   j["settings"] = json_of(settings);
   j["optimise"] = optimise;
-  j["blur"] = blur.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(blur);
   j["mask"] = mask.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(mask);
 
   j["size"] = {width, height};

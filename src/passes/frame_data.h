@@ -24,11 +24,7 @@ namespace dermis::passes {
 struct MapPlace {
   std::uint32_t index = 0;  ///< of the square
   glm::uvec2 cell{0};       ///< column and row of the pool
-  std::uint32_t side =
-      0;  ///< of its cell in maps that are not halved, texels; of others by most_halved_side()
-  /// T_max: decides how often maps of heads that use less of it are halved, see halved_side() and
-  /// careful_largest_side().
-  std::uint32_t largest_side = 0;
+  std::uint32_t side = 0;   ///< of its cell, texels
   std::uint32_t batch = 0;  ///< turn of the pool in which the light is there
 };
 

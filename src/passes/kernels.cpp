@@ -62,33 +62,6 @@ HalfKernel texel_averaged_gaussian(double sigma) {
   return normalised(k);
 }
 
-double texel_averaged_variance(double sigma) {
-  if (sigma <= 0) return 0;
-  double sum = 0, squares = 0;
-  for (int i = -24; i <= 24; ++i) {
-    const double weight =
-        second_integral(i + 1, sigma) - 2 * second_integral(i, sigma) + second_integral(i - 1, sigma);
-    sum += weight;
-    squares += i * i * weight;
-  }
-  return squares / sum;
-}
-
-double ratio_of_variance(double wanted, int radius) {
-  double low = 0, high = 1;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    double total = 1, squares = 0;
-    for (int tap = 1; tap <= radius; ++tap) {
-      const double weight = 2 * std::pow(middle, tap * tap);
-      total += weight;
-      squares += tap * tap * weight;
-    }
-    (squares < wanted * total ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 static void add_row(std::vector<float>& table, const HalfKernel& kernel) {
   for (const double w : kernel) table.push_back(static_cast<float>(w));
   table.push_back(static_cast<float>(variance(kernel)));
@@ -109,30 +82,8 @@ static std::vector<float> make_kernel_table() {
   return table;
 }
 
-static std::vector<float> make_ratio_table() {
-  std::vector<float> table;
-  const auto add = [&](bool averaged, bool narrow) {
-    for (int cell = 0; cell < RATIO_CELLS; ++cell)
-      for (int end = 0; end < 2; ++end) {
-        const double sigma = RATIO_MAX_SIGMA * (cell + end) / RATIO_CELLS;
-        const int radius = narrow ? NARROW_RADIUS : 1 + cell / RATIO_CELLS_PER_TAP;
-        const double wanted = averaged ? texel_averaged_variance(sigma) : sigma * sigma;
-        table.push_back(static_cast<float>(ratio_of_variance(wanted, radius)));
-      }
-  };
-  add(false, false);
-  add(true, false);
-  add(true, true);
-  return table;
-}
-
 const std::vector<float>& kernel_table() {
   static const std::vector<float> table = make_kernel_table();
-  return table;
-}
-
-const std::vector<float>& ratio_table() {
-  static const std::vector<float> table = make_ratio_table();
   return table;
 }
 

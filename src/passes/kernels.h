@@ -37,16 +37,4 @@ const std::vector<float>& kernel_table();
 /// Returns kernel_rows rows of KERNEL_FLOATS floats: discrete_gaussian() of this radius, sigma 0..radius / 3.
 std::vector<float> gaussian_table(int radius);
 
-/// Returns the variance of texel_averaged_gaussian() if it is not cut.
-double texel_averaged_variance(double sigma);
-
-/// Returns q of the kernel with weights q^(k^2) of taps 0, +-1, .. +-radius whose variance is `variance`, or
-/// as far as so many taps can have it: q is 0 to 1.
-double ratio_of_variance(double variance, int radius);
-
-/// Returns three tables of RATIO_CELLS pairs of q: with the variances of discrete_gaussian and of
-/// texel_averaged_gaussian, and with the latter in NARROW_RADIUS taps however wide (exact to a sigma
-/// of 1.35). Made once.
-const std::vector<float>& ratio_table();
-
 }  // namespace dermis::passes

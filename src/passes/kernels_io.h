@@ -6,10 +6,4 @@
 #define KERNEL_MAX_SIGMA 2.0  // in units of the tap spacing: three sigma on either side
 #define KERNEL_ROWS 129       // sigma = 0 .. KERNEL_MAX_SIGMA
 #define KERNEL_FLOATS 8       // of a row, whole texels: weights of taps 0, +-1, .. +-6, and its variance
-// Kernels of a cascade: weights q^(k^2) of taps 0, +-1, .., by q alone. For each of RATIO_CELLS widths q at
-// both its ends; taps reach to 1 + cell / RATIO_CELLS_PER_TAP.
-#define RATIO_MAX_SIGMA 3.0     // in units of the tap spacing
-#define RATIO_CELLS 192         // of sigma = 0 .. RATIO_MAX_SIGMA
-#define RATIO_CELLS_PER_TAP 24  // 2.67 sigma on either side
-#define NARROW_RADIUS 2         // of the third table
 #endif

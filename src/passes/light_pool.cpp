@@ -22,18 +22,9 @@ UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
 
   const MapPlace& place = instance.map_places[mesh_in_asset(frame, square)];
   used.index = place.index;
-  const std::uint32_t cell_side = most_halved_side(place.side, place.largest_side, square.halvings);
-  used.origin = place.cell * cell_side;
-  if (square.halvings > 0) used.side = halved_side(instance.map_side, place.largest_side, square.halvings);
-  DERMIS_ASSERT_LE(used.side, cell_side);
+  used.origin = place.cell * place.side;
+  DERMIS_ASSERT_LE(used.side, place.side);
   return used;
-}
-
-double full_texels(const FrameData& frame, MapSquare square, std::uint32_t halvings) {
-  square.halvings = 0;
-  const double side = used_square(frame, square).side;
-  square.halvings = halvings;
-  return side / used_square(frame, square).side;
 }
 
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Which Gaussians of its profile a skin mesh of a head reads from light maps in a frame. A head far away
-/// reads few or none: narrow terms are lit per pixel there (direct_share() of
-/// passes/final_pass/skin_shading.h).
+/// reads few or none: the others are lit at the pixel.
 #pragma once
 
 #include <array>
@@ -11,7 +10,7 @@
 
 namespace dermis::passes {
 
-/// Data of a head and a frame, not of the plan: techniques/mapped_terms.h makes it from T. A map that is not
+/// Data of a head and a frame, not of the plan: techniques/mapped_terms.h makes it. A map that is not
 /// written is not read, nor multiplied by 0: it may hold anything. By default all terms are mapped.
 struct MappedTerms {
   /// Some term is read. false: nothing is lit in texture space, and nothing blurred.
@@ -24,11 +23,16 @@ struct MappedTerms {
   /// The term of that step. Its map and all after it are written.
   std::uint32_t first_written = 0;
 
-  /// Of a cascade (passes/cascade/): `first_step` counts its steps; the terms before `first_wide` are narrow.
-  std::uint32_t first_wide = 0;
-  /// Of a cascade: of the profile, less the parts that are lit per pixel.
-  std::array<std::array<float, 3>, MOST_TERMS> weights{};
+  /// The part of each term that is read from its map; the rest is lit at the pixel.
+  std::array<float, MOST_TERMS> shares = all_of_each();
   bool operator==(const MappedTerms&) const = default;
+
+ private:
+  static constexpr std::array<float, MOST_TERMS> all_of_each() {
+    std::array<float, MOST_TERMS> shares{};
+    shares.fill(1);
+    return shares;
+  }
 };
 
 }  // namespace dermis::passes

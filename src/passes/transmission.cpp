@@ -13,13 +13,24 @@ namespace dermis::passes {
 
 static_assert(gaussians::max_terms == MOST_TERMS);
 
-std::vector<std::size_t> transmission_groups(std::size_t terms) {
-  const std::size_t groups = std::min<std::size_t>(terms, TRANSMISSION_GROUPS);
+std::vector<std::size_t> transmission_groups(std::size_t terms, std::size_t first_mapped) {
   std::vector<std::size_t> first;
-  for (std::size_t g = 0, at = 0; g < groups; ++g) {
+  if (first_mapped > 0) first.push_back(0);
+  const std::size_t mapped = terms - first_mapped,
+                    groups = first_mapped == 0
+                                 ? std::min<std::size_t>(terms, TRANSMISSION_GROUPS)
+                                 : std::min<std::size_t>((mapped + 1) / 2, TRANSMISSION_GROUPS - 1);
+  for (std::size_t g = 0, at = first_mapped; g < groups; ++g) {
     first.push_back(at);
     at += (terms - at + groups - g - 1) / (groups - g);  // an equal share of the rest, rounded up
   }
+  return first;
+}
+
+std::vector<std::size_t> mapped_groups(std::size_t terms, std::size_t first_mapped) {
+  std::vector<std::size_t> first = transmission_groups(terms, first_mapped);
+  if (first_mapped > 0) first.erase(first.begin());
+  for (std::size_t& term : first) term -= first_mapped;
   return first;
 }
 
@@ -48,14 +59,18 @@ std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
   return gains;
 }
 
-io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit) {
-  const std::size_t terms = profile.terms.size();
+namespace {
+
+// Of the terms from `begin` on. first: of each group, counted from there.
+io::TransmissionIo constants_of(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+                                std::size_t begin, std::vector<std::size_t> first) {
+  const std::span<const gaussians::Gaussian> all = std::span(profile.terms).subspan(begin);
+  const std::size_t terms = all.size();
   DERMIS_ASSERT_LE(terms, std::size_t{MOST_TERMS});
   io::TransmissionIo out{};
   for (std::size_t i = 0; i < terms; ++i) {
-    out.two_sigma_m[i] = static_cast<float>(2 * std::sqrt(profile.terms[i].variance_mm2) / mm_per_unit);
-    out.falloff_per_m2[i] =
-        static_cast<float>(mm_per_unit * mm_per_unit / (2 * profile.terms[i].variance_mm2));
+    out.two_sigma_m[i] = static_cast<float>(2 * std::sqrt(all[i].variance_mm2) / mm_per_unit);
+    out.falloff_per_m2[i] = static_cast<float>(mm_per_unit * mm_per_unit / (2 * all[i].variance_mm2));
   }
 
   const double end_mm = std::max(gains_end_mm(profile), 1e-6);
@@ -68,10 +83,9 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
   const std::vector<gaussians::Rgb> gains = slab_gains(profile, thicknesses_mm);
   for (std::size_t i = 0; i < gains.size(); ++i) out.gain[i] = {gains[i][0], gains[i][1], gains[i][2]};
 
-  std::vector<std::size_t> first = transmission_groups(terms);
   first.push_back(terms);
   for (int c = 0; c < 3; ++c) {
-    const auto weight = [&](std::size_t i) { return profile.terms[i].weight[static_cast<std::size_t>(c)]; };
+    const auto weight = [&](std::size_t i) { return all[i].weight[static_cast<std::size_t>(c)]; };
     const auto share = [&](std::size_t g, std::size_t i) -> float& {
       return out.share[g * MOST_TERMS + i][c];
     };
@@ -97,12 +111,26 @@ io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, dou
   return out;
 }
 
-ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library, const std::vector<ThroughMesh>& meshes) {
+}  // namespace
+
+io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+                                   std::size_t first_mapped) {
+  return constants_of(profile, mm_per_unit, 0, transmission_groups(profile.terms.size(), first_mapped));
+}
+
+io::TransmissionIo mapped_transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+                                          std::size_t first_mapped) {
+  return constants_of(profile, mm_per_unit, first_mapped, mapped_groups(profile.terms.size(), first_mapped));
+}
+
+ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library, const std::vector<ThroughMesh>& meshes,
+                                 bool at_pixel) {
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     meshes_.push_back(meshes[i].mesh);
     const auto same = std::find_if(
         meshes.begin(), meshes.begin() + static_cast<std::ptrdiff_t>(i), [&](const ThroughMesh& m) {
-          return m.profile == meshes[i].profile && m.mm_per_unit == meshes[i].mm_per_unit;
+          return m.profile == meshes[i].profile && m.mm_per_unit == meshes[i].mm_per_unit &&
+                 m.first_mapped == meshes[i].first_mapped;
         });
     const auto first = static_cast<std::size_t>(same - meshes.begin());
     if (first < i) {
@@ -110,7 +138,8 @@ ThroughBindings::ThroughBindings(gpu::PipelineLibrary& library, const std::vecto
       continue;
     }
     number_.push_back(constants_.size());
-    const io::TransmissionIo io = transmission_io(meshes[i].profile, meshes[i].mm_per_unit);
+    const auto constants = at_pixel ? transmission_io : mapped_transmission_io;
+    const io::TransmissionIo io = constants(meshes[i].profile, meshes[i].mm_per_unit, meshes[i].first_mapped);
     constants_.push_back(gpu::make_buffer(library.device(), "transmission", std::span(&io, 1),
                                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
   }

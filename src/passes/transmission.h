@@ -25,8 +25,11 @@ namespace dermis::passes {
 
 /// Returns the first term of each group: 0, then those that begin the second and the third. k terms (1..8)
 /// make min(k, 3) groups; the narrow ones take more terms, because wide Gaussians carry nearly all of the
-/// light and are blurred most.
-std::vector<std::size_t> transmission_groups(std::size_t terms);
+/// light and are blurred most. first_mapped: where terms before it are lit at the pixel, they are the first
+/// group, and those that maps hold are one group, or two if they are more than two.
+std::vector<std::size_t> transmission_groups(std::size_t terms, std::size_t first_mapped = 0);
+/// Returns those of the terms that maps hold, counted from the first of these.
+std::vector<std::size_t> mapped_groups(std::size_t terms, std::size_t first_mapped);
 
 /// Returns the thickness of the last gain: the widest Gaussian holds less than a thousandth of its light
 /// there.
@@ -39,14 +42,23 @@ std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
 
 /// Returns the constants of a profile. share[group * MOST_TERMS + i] is the part of T_i that joins at that
 /// group; summed over groups and weighted as in the final sum, each T_i counts w_i. A channel without weight
-/// in a group joins at the next. mm_per_unit: as ThroughMesh.
-io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit);
+/// in a group joins at the next. mm_per_unit, first_mapped: as ThroughMesh.
+io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+                                   std::size_t first_mapped = 0);
+/// Returns those of the terms that maps hold: arrays begin with the first of these, and gains stay those of
+/// the whole profile.
+io::TransmissionIo mapped_transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+                                          std::size_t first_mapped);
 
 /// A skin mesh whose light also comes through the body.
 struct ThroughMesh {
   std::uint32_t mesh = 0;             ///< among the skin meshes of the plan
   gaussians::SumOfGaussians profile;  ///< in mm of the asset
   double mm_per_unit = 1000;          ///< mm of the asset per metre of the world
+  std::uint32_t first_mapped = 0;     ///< terms before it are lit at the pixel
+  std::uint32_t mapped_terms() const {
+    return static_cast<std::uint32_t>(profile.terms.size()) - first_mapped;
+  }
 };
 
 /// Bindings of skin_through.glsl beside the lighting: entering light, in the maps of the lights, and the
@@ -54,7 +66,9 @@ struct ThroughMesh {
 class ThroughBindings {
  public:
   ThroughBindings() = default;
-  ThroughBindings(gpu::PipelineLibrary& library, const std::vector<ThroughMesh>& meshes);
+  /// The constants are those of the terms that maps hold, or, `at_pixel`, those of all.
+  ThroughBindings(gpu::PipelineLibrary& library, const std::vector<ThroughMesh>& meshes,
+                  bool at_pixel = false);
   /// Returns the number of a skin mesh of the plan among `meshes`, which hold it.
   std::size_t entry_of(std::uint32_t mesh) const;
   /// Offers the bindings. `entering` is not valid if nothing is stored (`entering_stored` is then false);

@@ -17,9 +17,6 @@ template <>
 inline constexpr std::array<std::string_view, 2> names_of<Shading>{"raster", "compute"};
 
 template <>
-inline constexpr std::array<std::string_view, 2> names_of<BlurOrder>{"chain", "cascade"};
-
-template <>
 inline constexpr std::array<std::string_view, 2> names_of<IrradianceBy>{"raster", "compute"};
 
 template <>

@@ -13,7 +13,7 @@ template <>
 inline constexpr auto fields_of<QualitySettings> = std::tuple{
     Field{"map_size",
           &QualitySettings::map_size,
-          {.help = "side of the light maps",
+          {.help = "side of the light maps, at most",
            .unit = "texels",
            .least = 32,
            .most = 65536,
@@ -36,6 +36,14 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .least = 1,
            .most = 4,
            .option = "samples",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"light_samples",
+          &QualitySettings::light_samples,
+          {.help = "points at which skin is lit in a pixel that one surface covers, 1 or 2",
+           .least = 1,
+           .most = 2,
+           .option = "light-samples",
            .rebuilds = true,
            .real_time = true}},
 
@@ -89,15 +97,6 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .rebuilds = true,
          .real_time = true}},
 
-    Field{
-        "blur",
-        &QualitySettings::blur,
-        {.help = "cascade: wide to narrow on a pyramid of maps, one map for the sum of the Gaussians; chain: "
-                 "narrow to wide, a map of full size per Gaussian",
-         .none = "cascade; chain where maps have too few texels for it",
-         .option = "blur",
-         .rebuilds = true,
-         .real_time = true}},
     Field{
         "irradiance",
         &QualitySettings::irradiance,
@@ -164,7 +163,8 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
 
 template <>
 inline constexpr std::array gone_from<QualitySettings>{
-    Gone{"maps", {}, "quality.blur chooses the sizes of light maps, too"},
+    Gone{"blur", {}, "texture-space blurs narrow to wide, on one size of maps"},
+    Gone{"maps", {}, "texture-space blurs narrow to wide, on one size of maps"},
     Gone{"mask", "tiles",
          "texture-space always blurs tiles, and published has no other masks than alpha and depth"}};
 

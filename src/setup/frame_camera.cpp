@@ -91,37 +91,37 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
   return d_mm / (subject.bounds.sphere.radius_m * subject.scene->mm_per_unit);
 }
 
-int map_side(const Subject& subject, const RenderSettings& s, const scene::Camera& camera, const Pose& pose,
-             const PosedAsset* posed) {
-  if (!s.quality.depth || subject.skin.empty()) return s.quality.map_size;
-
-  double needed = 1;  // of T_max
+double pixels_per_mm(const Subject& subject, const RenderSettings& s, const scene::Camera& camera,
+                     const Pose& pose, const PosedAsset* posed) {
   if (camera.orthographic) {
     const double pixels = s.output.height * density_across(s, camera);
-    const double pixels_per_mm = pixels / (2.0 * camera.ymag_m * subject.scene->mm_per_unit);
-    needed = pixels_per_mm * double{pose.scale} / texels_per_mm(subject, s);
-  } else {
-    // In the asset, where lengths are in the same proportion.
-    glm::vec3 low_m = subject.bounds.low_m, high_m = subject.bounds.high_m;
-    if (posed) {
-      // By steps, so that T stays while a head moves a little: each new T needs lists of gutters.
-      const float step_m = subject.bounds.sphere.radius_m / 8;
-      low_m -= glm::ceil((low_m - posed->skin.low_m) / step_m) * step_m;
-      high_m += glm::ceil((posed->skin.high_m - high_m) / step_m) * step_m;
-    }
-    const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
-    const glm::vec3 nearest_m = glm::clamp(eye_m, low_m, high_m);
-    const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
-    needed = d > 0 ? reference_distance(subject, s, camera) / d : 1;
+    return pixels / (2.0 * camera.ymag_m * subject.scene->mm_per_unit) * double{pose.scale};
   }
 
+  // In the asset, where lengths are in the same proportion.
+  glm::vec3 low_m = subject.bounds.low_m, high_m = subject.bounds.high_m;
+  if (posed) {
+    // By steps, so that T stays while a head moves a little: each new T needs lists of gutters.
+    const float step_m = subject.bounds.sphere.radius_m / 8;
+    low_m -= glm::ceil((low_m - posed->skin.low_m) / step_m) * step_m;
+    high_m += glm::ceil((posed->skin.high_m - high_m) / step_m) * step_m;
+  }
+  const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
+  const glm::vec3 nearest_m = glm::clamp(eye_m, low_m, high_m);
+  const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
+  if (!(d > 0)) return std::numeric_limits<double>::infinity();
+  return reference_distance(subject, s, camera) / d * texels_per_mm(subject, s);
+}
+
+int paper_side(const Subject& subject, const RenderSettings& s, double pixels_per_mm) {
+  const double density = texels_per_mm(subject, s),
+               needed = density > 0 ? pixels_per_mm / density : 0;  // of T_max
   const double steps = std::ceil(std::min(needed, 1.0) * s.quality.map_size / side_step);
   return std::min(s.quality.map_size, side_step * std::max(1, static_cast<int>(steps)));
 }
 
-std::vector<int> map_sides(const RenderSettings& s) {
+std::vector<int> paper_sides(const RenderSettings& s) {
   std::vector<int> sides{s.quality.map_size};
-  if (!s.quality.depth) return sides;
   for (int side = (s.quality.map_size - 1) / side_step * side_step; side > 0; side -= side_step)
     sides.push_back(side);
   return sides;

@@ -22,15 +22,19 @@ io::CameraIo frame_camera(const scene::Camera& camera, double picture_aspect);
 double reference_distance(const Subject& subject, const RenderSettings& settings,
                           const scene::Camera& camera);
 
-/// Returns T of a head. [JG08] sec. 4: min(d_ref / d, 1) T_max rounded up to 32 texels, d from the eye to the
-/// nearest point of the head's box (the paper takes the nearest vertex; a point that is never farther keeps
-/// the map from being too small). Orthographic: pixels per mm over texels per mm in place of d_ref / d.
+/// Returns how many pixels of the picture show a mm of the asset where the head is nearest: at the nearest
+/// point of its box (the paper takes the nearest vertex; a point that is never farther keeps maps from being
+/// too small). Infinity if the eye is inside. A d_ref that the settings give stands for that of the picture.
 /// `posed`: of a head in a pose, whose box is that of the pose.
-int map_side(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
-             const Pose& pose, const PosedAsset* posed = nullptr);
+double pixels_per_mm(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
+                     const Pose& pose, const PosedAsset* posed = nullptr);
 
-/// Returns all that map_side() may return, largest first.
-std::vector<int> map_sides(const RenderSettings& settings);
+/// Returns T of a head as [JG08] sec. 4 has it: min(d_ref / d, 1) T_max, where a texel is as large as a
+/// pixel, rounded up to 32 texels.
+int paper_side(const Subject& subject, const RenderSettings& settings, double pixels_per_mm);
+
+/// Returns all that paper_side() may return, largest first.
+std::vector<int> paper_sides(const RenderSettings& settings);
 
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
 bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose,

@@ -39,7 +39,7 @@ passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   instance.middle_m = head.middle_m;
   const io::HeadIo io{.instance = instance_io(head.pose), .lamps = add_lamps(memory, head)};
   instance.io = memory.add(std::span<const io::HeadIo>(&io, 1));
-  instance.map_side = static_cast<std::uint32_t>(head.map_side);
+  instance.map_side = head.detail.side;
   instance.visible = head.visible;
   instance.drawn = head.drawn;
   instance.first_shadow_layer = head.first_shadow_layer;
@@ -72,7 +72,7 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
     if (!outputs.map_places.empty()) {
       instance.map_places = outputs.map_places[data.instances.size()];
       instance.mapped_terms =
-          techniques::mapped_terms_of(setup.plan, setup.plan.models[head.model], instance.map_side);
+          techniques::mapped_terms_of(setup.plan, setup.plan.models[head.model], head.detail);
     }
     data.instances.push_back(std::move(instance));
   }

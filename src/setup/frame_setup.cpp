@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "core/assert.h"
 #include "core/error.h"
@@ -18,6 +21,8 @@
 #include "setup/models.h"
 #include "setup/pool.h"
 #include "shared/entries_io.h"
+#include "techniques/map_side.h"
+#include "techniques/mapped_terms.h"
 
 namespace dermis::setup {
 namespace {
@@ -93,7 +98,8 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
                                     fit.shadow_from_world.end());
     }
 
-    head.map_side = map_side(subject, s, camera, placed.pose, posed);
+    if (!subject.skin.empty())
+      head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, placed.pose, posed);
     head.visible = scene.instances[placed.instance].visible &&
                    (!skip || in_view(subject, frame_camera, placed.pose, posed));
     // A host may move vertices anywhere.
@@ -158,19 +164,79 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   });
 }
 
-// Returns whether a cascade blurs the light. Coarse maps take the chain: the part of a term that is lit per
-// pixel is known where its light is read, and a cascade needs it where the light joins. A map of one term is
-// there in the chain alone. Throws InputError if the settings ask for a cascade on coarse maps.
-bool takes_cascade(const techniques::FrameSettings& plan, const RenderSettings& s) {
-  const auto is_coarse = [](const techniques::SkinPart& part) { return part.coarse; };
-  const bool coarse = std::any_of(plan.skin.begin(), plan.skin.end(), is_coarse);
-  if (!s.quality.blur) return !coarse && !s.output.show.starts_with("blur:");
-  if (coarse && *s.quality.blur == BlurOrder::cascade)
-    throw input_error(
-        "",
-        "quality.blur cascade: some of the skin has too few texels per mm to scatter from light "
-        "maps; take quality.blur chain, or a larger quality.map_size");
-  return *s.quality.blur == BlurOrder::cascade;
+// Sides of light maps that a head of the scene may have, large to small.
+std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, const RenderSettings& s) {
+  if (!plan.optimise.depth) return {plan.map_size};
+  if (plan.mixes()) return techniques::sides_by_need(plan.map_size);
+  const std::vector<int> sides = paper_sides(s);
+  return {sides.begin(), sides.end()};
+}
+
+// The metric changes slowly over the skin: its maps are as large whatever light maps are, so that these
+// change nothing for it.
+constexpr std::uint32_t most_stretch_side = 1024;
+
+// Returns the pixels per mm from which on narrow terms show.
+double most_pixels_per_mm(const techniques::FrameSettings& plan, const techniques::Model& model) {
+  double most = std::numeric_limits<double>::infinity();
+  for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
+    for (const gaussians::Gaussian& term : plan.skin[mesh].profile.terms) {
+      const double sigma_mm = std::sqrt(term.variance_mm2);
+      if (sigma_mm < plan.skin[mesh].wide_mm)
+        most = std::min(most, techniques::least_sigma_pixels(plan.skin[mesh], sigma_mm) / sigma_mm);
+    }
+  return most;
+}
+
+// T_max of a model is that of a near head, or of a close-up in this frame, and maps hold what shows there. So
+// a plan changes where a head comes closer than that, and not before; other models change nothing for it.
+void hold_what_shows(FrameSetup& setup) {
+  techniques::FrameSettings& plan = setup.plan;
+  const std::uint32_t limit = std::exchange(plan.map_size, 0);
+  plan.stretch_side = std::min(limit, most_stretch_side);
+
+  for (std::uint32_t number = 0; number < plan.models.size(); ++number) {
+    const techniques::Model& model = plan.models[number];
+    const std::span parts = std::span(plan.skin).subspan(model.first_mesh, model.meshes);
+    techniques::MapDetail finest{0, 0};
+    for (const techniques::SkinPart& part : parts)
+      finest.side = std::max(finest.side, techniques::near_side(part, limit));
+    for (HeadSetup& head : setup.heads) {
+      if (head.model != number) continue;
+      if (!head.visible) {
+        head.detail.side = std::min(head.detail.side, finest.side);
+        continue;
+      }
+      finest.side = std::max(finest.side, head.detail.side);
+      finest.pixels_per_mm = std::max(finest.pixels_per_mm, head.detail.pixels_per_mm);
+    }
+
+    for (techniques::SkinPart& part : parts) {
+      part.map_size = finest.side;
+      part.first_mapped = techniques::first_mapped(part, finest);
+    }
+    if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
+  }
+}
+
+// Decides how large light maps are: T_max, and T of each head.
+void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s) {
+  techniques::FrameSettings& plan = setup.plan;
+  plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+  if (plan.skin.empty() || !setup.technique->has_light_maps) return;
+
+  for (HeadSetup& head : setup.heads) {
+    techniques::MapDetail& detail = head.detail;
+    const techniques::Model& model = plan.models[head.model];
+    // The plan of a host must serve every view: it has no close-ups.
+    if (plan.host) detail.pixels_per_mm = std::min(detail.pixels_per_mm, most_pixels_per_mm(plan, model));
+    detail.side = plan.map_size;
+    if (plan.mixes())
+      detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, plan.map_size);
+    else if (plan.optimise.depth && !subjects[head.instance]->skin.empty())
+      detail.side = static_cast<std::uint32_t>(paper_side(*subjects[head.instance], s, detail.pixels_per_mm));
+  }
+  if (plan.mixes()) hold_what_shows(setup);
 }
 
 // How many Gaussians the profile of a part has, that without width too.
@@ -216,14 +282,15 @@ void check_published(const FrameSetup& setup) {
     throw input_error("", "technique '{}' takes no poses; take texture-space", setup.technique->name);
 }
 
-void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
-                 const std::vector<scene::Light>& lights, const DeviceTraits& device, bool every_view) {
+void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
+                 const RenderSettings& s, const std::vector<scene::Light>& lights, const DeviceTraits& device,
+                 bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
 
   plan.width = static_cast<std::uint32_t>(s.output.width);
   plan.height = static_cast<std::uint32_t>(s.output.height);
   plan.samples = static_cast<std::uint32_t>(s.quality.samples);
-  plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+  plan.light_samples = static_cast<std::uint32_t>(s.quality.light_samples);
   plan.shadow_size = static_cast<std::uint32_t>(s.quality.shadow_size);
   for (const HeadSetup& head : setup.heads)
     plan.shadow_layers =
@@ -248,10 +315,9 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.mask = s.quality.mask.value_or(BlurMask::depth);
     plan.all_mapped = setup.technique->as_published;
   }
-  if (setup.technique->has_light_maps && !setup.technique->as_published) {
+  if (setup.technique->has_light_maps && !setup.technique->as_published)
     plan.texel_maps = choose_irradiance(s.quality) == IrradianceBy::compute && !plan.host_lights();
-    plan.cascade = takes_cascade(plan, s);
-  }
+  set_up_map_sides(setup, subjects, s);
 
   if (setup.technique->uses_profile) {
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
@@ -271,8 +337,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
 
   PoolHeads heads{.count = static_cast<std::uint32_t>(setup.heads.size())};
   for (const HeadSetup& head : setup.heads)
-    heads.most_side = std::max(heads.most_side,
-                               static_cast<std::uint32_t>(every_view ? s.quality.map_size : head.map_side));
+    heads.most_side = std::max(heads.most_side, every_view ? plan.map_size : head.detail.side);
   set_up_pool(plan, *setup.technique, heads, s, device);
 }
 
@@ -288,28 +353,32 @@ double clip_margin_m(const FrameSetup& setup, const RenderSettings& s) {
 }  // namespace
 
 void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup) {
+  const auto widest_texels = [&](const techniques::SkinPart& part) {
+    return std::sqrt(part.profile.max_variance_mm2()) * part.least_uv_per_mm * setup.plan.map_size;
+  };
   const techniques::SkinPart* worst = nullptr;
   for (const techniques::SkinPart& part : setup.plan.skin)
-    if (part.coarse && (!worst || part.least_texels_per_mm < worst->least_texels_per_mm)) worst = &part;
-  if (!worst || !setup.technique->has_light_maps || setup.technique->as_published) return;
+    if (!worst || widest_texels(part) < widest_texels(*worst)) worst = &part;
+  if (!worst || !setup.plan.mixes() || !setup.technique->has_light_maps) return;
+  if (widest_texels(*worst) > 0.35) return;  // map_share.glsl
 
   const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
   const Subject& subject = *subjects[source.instance];
-  const double lost_mm =
-      std::min(0.3 / worst->least_texels_per_mm, std::sqrt(worst->profile.max_variance_mm2()));
   warn(
-      "{}: a part of skin '{}' has {:.2g} texels per mm of light map or fewer: Gaussians narrower than about "
-      "{:.2g} mm do not scatter there. A larger quality.map_size holds them, or texture coordinates that "
-      "fill more "
-      "of the square",
-      subject.scene->name, subject.skin[source.mesh].name, worst->least_texels_per_mm, lost_mm);
+      "{}: a twentieth of skin '{}' has {:.2g} texels per mm of light map or fewer: light does not scatter "
+      "there. "
+      "Texture coordinates that fill more of the square hold more, or a larger quality.map_size where that "
+      "is "
+      "what bounds the maps ({} texels are taken)",
+      subject.scene->name, subject.skin[source.mesh].name, worst->least_uv_per_mm * setup.plan.map_size,
+      setup.plan.map_size);
 }
 
 std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings) {
   std::vector<techniques::DrawnHead> heads;
   for (std::uint32_t model = 0; model < setup.plan.models.size(); ++model)
-    for (const int side : map_sides(settings))
-      heads.push_back({.model = model, .side = static_cast<std::uint32_t>(side)});
+    for (const std::uint32_t side : map_sides(setup.plan, settings))
+      heads.push_back({.model = model, .detail = {.side = side}});
   return heads;
 }
 
@@ -317,8 +386,7 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
   std::vector<techniques::DrawnHead> drawn;
   for (std::uint32_t i = 0; i < setup.heads.size(); ++i) {
     const HeadSetup& head = setup.heads[i];
-    if (head.visible)
-      drawn.push_back({.model = head.model, .side = static_cast<std::uint32_t>(head.map_side), .head = i});
+    if (head.visible) drawn.push_back({.model = head.model, .detail = head.detail, .head = i});
   }
   return drawn;
 }
@@ -356,7 +424,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const PlacedAsset& instance) { return instance.posed != nullptr; });
   setup.plan.environment = environment_lights.has_value();
-  set_up_plan(setup, scene, s, lights, device, every_view);
+  set_up_plan(setup, scene, subjects, s, lights, device, every_view);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
   setup.plan.keep_shadows = s.quality.keep_shadows && s.output.show == "picture" &&

@@ -30,7 +30,7 @@ struct HeadSetup {
   std::uint32_t first_shadow_layer = 0;
   std::vector<glm::mat4> shadow_from_world;
   std::vector<passes::HostShadowMap> host_shadows;  ///< one per layer; empty: there are none
-  int map_side = 0;                                 ///< T
+  techniques::MapDetail detail;                     ///< T, and pixels per mm
   bool visible = true;
   bool drawn = true;       ///< false: a host draws it
   passes::PixelArea area;  ///< of the picture: pixels outside do not show it
@@ -53,7 +53,7 @@ struct FrameSetup {
   int environment_lights = 0;  ///< those of the lights that an environment brings
 };
 
-/// Returns a head of each model for each size of map that one may have, near to far.
+/// Returns a head of each model for each size of map that one may have, large to small.
 std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings);
 
 /// Returns the heads that are drawn.

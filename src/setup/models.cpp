@@ -12,7 +12,6 @@
 #include "core/error.h"
 #include "core/one_line.h"
 #include "gaussians/json.h"
-#include "passes/final_pass/skin_shading.h"
 #include "passes/gpu_scene.h"
 #include "setup/choose.h"
 #include "techniques/technique.h"
@@ -24,6 +23,10 @@ namespace {
 // then show a triangle that is culled where the light of another is wanted, and are filled from beside them.
 constexpr double few_overlap = 0.01;
 
+// Sigma of light that a picture shows to have spread, whatever its pixels: that of narrower Gaussians is not
+// told from light that has not, beside the wider ones. Truth decides it: docs/truth.md.
+constexpr double wide_mm = 1;
+
 // What the heads of a model have in common.
 struct ModelKey {
   const Subject* subject = nullptr;
@@ -32,16 +35,6 @@ struct ModelKey {
   /// An instance in a pose has a metric of its own.
   std::optional<std::size_t> posed{};
 };
-
-// Whether a twentieth of the skin has so few texels that terms are lit at the pixel there.
-void fill_coarse(techniques::SkinPart& part, const scene::UnwrapDensity& density, double map_size) {
-  if (!(density.uv_per_mm.mean > 0) || !(density.area_mm2 > 0)) return;
-  part.even_uv_per_mm = 1 / std::sqrt(density.area_mm2);
-  part.least_texels_per_mm = density.uv_per_mm.p05 * map_size;
-  const double widest_mm = std::sqrt(part.profile.max_variance_mm2());
-  part.coarse = passes::is_coarse(static_cast<float>(widest_mm), static_cast<float>(part.least_texels_per_mm),
-                                  static_cast<float>(part.even_uv_per_mm * map_size));
-}
 
 // In the millimetres of an asset that is shown at this scale.
 gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double scale) {
@@ -106,10 +99,9 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   // The 95 % quantile: a few crumpled triangles may be denser; there the first step is a little coarse, not
   // wrong in width.
   part.max_uv_per_mm = density.largest_uv_per_mm.p95;
-  part.max_texels_per_mm = std::max(part.max_uv_per_mm * s.quality.map_size, 1e-6);
-  part.mean_texels_per_mm = density.uv_per_mm.mean * s.quality.map_size;
-  part.coarse_texels_per_mm = density.least_uv_per_mm.p25 * s.quality.map_size;
-  fill_coarse(part, density, s.quality.map_size);
+  part.mean_uv_per_mm = density.uv_per_mm.mean;
+  part.least_uv_per_mm = density.uv_per_mm.p05;
+  part.wide_mm = std::min(wide_mm / double{model.scale}, 0.5 * std::sqrt(part.profile.max_variance_mm2()));
 
   part.off_map = scene::has_chartless(mesh);
   part.overlaps = subject.overlaps[number] > few_overlap;

@@ -12,6 +12,7 @@ namespace dermis::setup {
 namespace {
 
 constexpr double default_squares = 4;        // of T_max
+constexpr double default_maps_mb = 512;      // if those take less
 constexpr double default_shadows_mb = 512;   // beyond those of as many heads
 constexpr std::uint32_t most_together = 64;  // heads
 
@@ -26,7 +27,7 @@ std::uint32_t side_of_squares(std::uint32_t map_size, std::uint32_t most_side) {
 
 double budget_mb(double largest_square_mb, const RenderSettings& s, const DeviceTraits& device) {
   if (s.quality.map_budget_mb) return *s.quality.map_budget_mb;
-  const double budget = default_squares * largest_square_mb;
+  const double budget = std::max(default_squares * largest_square_mb, default_maps_mb);
   if (device.memory_bytes == 0) return budget;
   return std::min(budget, std::max(largest_square_mb, static_cast<double>(device.memory_bytes) / 4e6));
 }
@@ -66,8 +67,8 @@ void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& t
   if (budget < largest_mb)
     throw input_error("",
                       "quality.map_budget_mb {} does not hold the light maps of one head: at "
-                      "quality.map_size {} they take {:.0f} MB",
-                      budget, s.quality.map_size, std::ceil(largest_mb));
+                      "{} texels per side they take {:.0f} MB",
+                      budget, plan.map_size, std::ceil(largest_mb));
 
   plan.square_side = side_of_squares(plan.map_size, heads.most_side);
   if (technique.as_published) return;

@@ -6,6 +6,9 @@
 // GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: lights.glsl, entering_maps
 // (sampler2DArray of the same layers), `transmission`, through_terms.
 
+#ifndef THROUGH_RAYS  // false: of no more than narrow terms
+#define THROUGH_RAYS true
+#endif
 const int last_term = through_terms - 1,
           term_before = through_terms > 1 ? through_terms - 2 : 0;  // both use rays around the ray of light
 
@@ -94,7 +97,7 @@ float way_beside(MapRay ray, MapLook m, vec2 side) {
 // in texels. Nothing is read where the surface faces the light: the loop then ends before its first turn,
 // which a software device, too, turns into time saved (it computes both sides of an `if`).
 void look_beside(inout LightRead r, MapRay ray, MapLook m, vec2 near, vec2 wide, bool faces) {
-  const int rays = faces ? 0 : 4;
+  const int rays = faces || !THROUGH_RAYS ? 0 : 4;
   for (int k = 0; k < rays; ++k) {
     const bvec4 this_one = equal(ivec4(0, 1, 2, 3), ivec4(k));
     r.way_near_m = mix(r.way_near_m, vec4(way_beside(ray, m, near)), this_one);
@@ -157,7 +160,7 @@ vec3 slab_gain(float thickness_m) {
 // 2v) over rays of the light within a Gaussian of the same variance, with z the distance along each: exact on
 // any lit surface. The wide terms, which reach around corners, take that mean over five rays (a rule exact to
 // the third degree). Narrow ones take the lit side for a plane, and so do wide ones where both sides are
-// parallel: then the mean is known.
+// parallel: then the mean is known. Without THROUGH_RAYS all do.
 //
 // Near an edge the blur over the surface already brings light to where these means hold too. It hardly does
 // where the lit point faces away from here; elsewhere the share that is not yet counted grows with the angle
@@ -169,7 +172,9 @@ void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 thr
   if (slab_gains) light *= mix(vec3(1.0), slab_gain(d_m), smoothstep(0.3, 0.9, r.facing));
   const float d2 = d_m * d_m, plane = smoothstep(0.97, 1.0, r.facing);
   const vec3 narrow = light * (r.cosine * r.facing);
-  for (int i = 0; i < term_before; ++i) through[i] += narrow * exp(-d2 * transmission.falloff_per_m2[i]);
+  const int planes = THROUGH_RAYS ? term_before : through_terms;
+  for (int i = 0; i < planes; ++i) through[i] += narrow * exp(-d2 * transmission.falloff_per_m2[i]);
+  if (!THROUGH_RAYS) return;
   const float is_new = mix(0.6 * smoothstep(0.0, 0.8, -cosine_here), 1.0, smoothstep(0.0, 0.5, r.facing));
   const float here2 = r.way_m * r.way_m;
   if (through_terms > 1) {

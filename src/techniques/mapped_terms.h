@@ -10,15 +10,27 @@
 
 namespace dermis::techniques {
 
-/// Returns the terms of skin mesh `mesh` of the plan that light maps of `side` x `side` texels (T) are read
-/// for. All, unless FrameSettings::terms_by_need().
-passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t mesh, std::uint32_t side);
+/// Sigma, in texels at the mean density, of the narrowest term that a map is made for: map_side.h.
+inline constexpr double held_sigma_texels = 0.9;
+/// Returns sigma, in pixels, up to which a term is lit at the pixel: it would blur what the pixel does not
+/// show. From there to half as much again it moves to the map, so that nothing pops. The widest stays longer,
+/// because beyond it there is no map at all, and no light around edges. Terms narrower than SkinPart::wide_mm
+/// are on maps of close-ups alone.
+double least_sigma_pixels(const SkinPart& part, double sigma_mm);
+
+/// Returns the narrowest term that a map of T_max texels holds, where pixels are no finer than this, and all
+/// after it are; the widest if none is, as a map has at least one term.
+std::uint32_t first_mapped(const SkinPart& part, const MapDetail& finest);
+
+/// Returns the terms of skin mesh `mesh` of the plan that are read from its light maps, of
+/// SkinPart::mapped(): all, unless FrameSettings::mixes().
+passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t mesh, const MapDetail& detail);
 
 /// Returns those of each skin mesh of a model.
 std::vector<passes::MappedTerms> mapped_terms_of(const FrameSettings& settings, const Model& model,
-                                                 std::uint32_t side);
+                                                 const MapDetail& detail);
 
 /// Returns how many terms a skin mesh reads from such maps.
-int mapped_count(const FrameSettings& settings, std::uint32_t mesh, std::uint32_t side);
+int mapped_count(const FrameSettings& settings, std::uint32_t mesh, const MapDetail& detail);
 
 }  // namespace dermis::techniques

@@ -29,24 +29,13 @@ namespace dermis::techniques {
 
 using frame::Together;
 
-namespace {
-
-// Side of the maps of what enters the skin (passes::Shadow), texels. Their light goes to light maps, so they
-// need not be finer than those. Within a factor of 1.5 a pass of their own would save neither time nor
-// memory: they are drawn with the shadow maps then, and as large.
-std::uint32_t entering_size(const FrameSettings& s) {
-  if (s.all_enters) return s.shadow_size;
-  return 3 * std::uint64_t{s.map_size} <= 2 * std::uint64_t{s.shadow_size} ? s.map_size : s.shadow_size;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                           std::span<const DrawnHead>) {
   return {.skin_pixels = counters[counter_skin_pixels],
           .optimise = {},
           .mask = {},
-          .blur = {},
           .translucency = settings.translucency};
 }
 
@@ -83,8 +72,7 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   const bool of_host = settings.host && settings.host->shadows;
   if (settings.translucency && !(of_host && settings.all_enters)) {
     gpu::TextureDesc entering = shadow;
-    entering.width = entering.height = entering_size(settings);
-    if (of_host || entering.width < shadow.width) entering_depth_ = plan.texture("entering depths", entering);
+    if (of_host) entering_depth_ = plan.texture("entering depths", entering);
     entering.format = settings.all_enters ? passes::facing_format : passes::entering_format;
     entering.grey_alpha = settings.all_enters;
     entering_ = plan.texture("entering maps", entering, lasts);
@@ -150,6 +138,7 @@ passes::SkinLook Screen::look_of(passes::SkinLook look) const {
   const SkinPart& part = settings_.skin[look.square.mesh];
   look.environment = settings_.environment;
   look.soft_shadows = settings_.soft_shadows;
+  look.light_samples = settings_.light_samples;
   look.off_map = part.off_map;
   look.kinds = part.kinds;
   return look;

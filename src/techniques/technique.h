@@ -4,8 +4,10 @@
 /// lambert/.
 #pragma once
 
+#include <algorithm>
 #include <bitset>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -25,33 +27,51 @@
 namespace dermis::techniques {
 
 /// One skin mesh as the plan needs to know it, in mm of its asset: an instance of scale s has a profile that
-/// is s times narrower there. Texels per mm are those of a map of T_max texels per side; of any other map, uv
-/// per mm (texture coordinates, 0..1) times its side.
+/// is s times narrower there. Texels per mm of a map are uv per mm (texture coordinates, 0..1) times its
+/// side.
 struct SkinPart {
   gaussians::SumOfGaussians profile;
   /// Light that leaves where it entered: the weight of a Gaussian of variance 0, which `profile` lacks. If
   /// all light does, `profile` has one Gaussian without weight.
   gaussians::Rgb unscattered{};
+  /// Of maps by need, T_max of its heads: less than that of the plan where others need more; 0: that of the
+  /// plan.
+  std::uint32_t map_size = 0;
+  /// The terms of `profile` that light maps may hold, all from this one on; the others are lit at the pixel.
+  std::uint32_t first_mapped = 0;
+  gaussians::SumOfGaussians mapped() const;  ///< `profile` without the terms before
+  /// Returns the groups of light through the body that maps hold, by their first term of mapped().
+  std::vector<std::size_t> through_groups() const {
+    return passes::mapped_groups(profile.terms.size(), first_mapped);
+  }
   double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
   /// Number of the mesh whose unwrap this is: instances of an asset that differ in their profile share it.
   std::uint32_t unwrap = 0;
   std::uint32_t in_model = 0;  ///< number among the meshes of its model
   std::uint32_t triangles = 0, vertices = 0;
-  std::uint32_t draws = 1;       ///< runs of triangles of one material: passes::GpuMesh::draws
-  double max_uv_per_mm = 1;      ///< a twentieth of the skin has more
-  double even_uv_per_mm = 1;     ///< if the skin filled the map evenly
-  double max_texels_per_mm = 1;  ///< a twentieth of the skin has more
-  double mean_texels_per_mm = 1;
-  double coarse_texels_per_mm = 1;  ///< in the coarsest direction; a quarter of the skin has fewer
-  double least_texels_per_mm = 1;   ///< a twentieth of the skin has fewer
-  /// some of the skin has so few texels that narrow terms are lit per pixel there: passes::coarse_share()
-  bool coarse = false;
-  bool off_map = false;                            ///< some of its triangles have no chart of the unwrap
-  bool overlaps = false;                           ///< many of its triangles share texels
-  bool cut_out = false;                            ///< some of its materials have an alpha test
+  std::uint32_t draws = 1;     ///< runs of triangles of one material: passes::GpuMesh::draws
+  double max_uv_per_mm = 1;    ///< in the densest direction; a twentieth of the skin has more
+  double mean_uv_per_mm = 1;   ///< geometric mean of both directions
+  double least_uv_per_mm = 1;  ///< a twentieth of the skin has fewer
+  double wide_mm = 0;          ///< sigma of the narrowest terms that light maps hold near by: map_side.h
+  bool off_map = false;        ///< some of its triangles have no chart of the unwrap
+  bool overlaps = false;       ///< many of its triangles share texels
+  bool cut_out = false;        ///< some of its materials have an alpha test
   std::bitset<passes::SkinKind::count> kinds = 1;  ///< of its materials: passes::SkinLook
   bool posed = false;                              ///< it takes poses: its metric changes from frame to frame
+  /// Returns how light comes through it, as skin mesh `mesh` of the plan.
+  passes::ThroughMesh through(std::uint32_t mesh) const {
+    return {.mesh = mesh, .profile = profile, .mm_per_unit = mm_per_unit, .first_mapped = first_mapped};
+  }
   bool operator==(const SkinPart&) const = default;
+};
+
+/// How fine the light maps and the pixels of a head are.
+struct MapDetail {
+  std::uint32_t side = 0;  ///< T, texels
+  /// of the asset, where the head is nearest
+  double pixels_per_mm = std::numeric_limits<double>::infinity();
+  bool operator==(const MapDetail&) const = default;
 };
 
 /// Instances of an asset that have the same profile and scale.
@@ -86,7 +106,9 @@ struct HostPart {
 struct FrameSettings {
   std::uint32_t width = 1280, height = 720;  ///< pixels
   std::uint32_t samples = 4;                 ///< per pixel, 1 or 4
+  std::uint32_t light_samples = 2;           ///< of a pixel that one surface covers, 1 or 2
   std::uint32_t map_size = 2048;             ///< T_max, texels per side
+  std::uint32_t stretch_side = 0;            ///< of the maps of the metric, texels; 0: T_max
   std::uint32_t shadow_size = 2048;          ///< texels per side
   std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
 
@@ -112,7 +134,6 @@ struct FrameSettings {
   /// light.
   bool texel_maps = false;
   bool all_mapped = false;  ///< every term is read from its map, whatever T
-  bool cascade = false;     ///< wide to narrow, one map for the sum: passes/cascade/; else a map per term
   bool visibility = false;  ///< also makes the map that `output.show` "visibility" shows
   bool labels = false;      ///< also draws FrameOutputs::label_surface and label_names
 
@@ -140,18 +161,15 @@ struct FrameSettings {
   std::uint32_t most_meshes() const;                 ///< of a model
   std::uint32_t draws_of(const Model& model) const;  ///< SkinPart::draws of its meshes
   bool draws_picture() const { return !host || host->picture; }
-  /// T_max for halved_side(): a cascade, which alone halves maps, relies on the texels per sigma of its
-  /// levels.
-  std::uint32_t halving_side() const { return passes::careful_largest_side(map_size); }
   bool host_lights() const { return host && host->irradiance; }
-  /// Where a map is smaller than T_max, narrow terms are lit per pixel: passes::direct_share(). Light that a
-  /// host draws is known in the maps alone; a host that reads the sum of a cascade reads all of it there.
-  bool mixes() const {
-    return optimise.depth && !all_mapped && !host_lights() && !(cascade && host && host->scattered);
+  /// Light maps hold the terms that pixels read, on as few texels as they take (map_side.h), and the rest of
+  /// the light is lit at the pixel: mapped_terms.h. Light that a host draws is known in the maps alone, and a
+  /// host that reads the blurred light reads all of it there.
+  bool mixes() const { return optimise.depth && !all_mapped && !host_lights() && !(host && host->scattered); }
+  /// Returns the texels per mm of the part's maps of T_max that a twentieth of its skin exceeds.
+  double max_texels_per_mm(const SkinPart& part) const {
+    return std::max(part.max_uv_per_mm * (part.map_size > 0 ? part.map_size : map_size), 1e-6);
   }
-  /// Maps hold the terms that pixels read, and no others: mapped_terms.h. A host that reads the blurred light
-  /// reads all of it.
-  bool terms_by_need() const { return mixes() && !(host && host->scattered); }
   /// Returns whether ids can tell apart all skin, and whether its pixels fit in a buffer: limits of
   /// shared/entries_io.h. False for a host that draws no picture, or leaves no room for ids.
   bool can_shade_entries() const;
@@ -204,7 +222,7 @@ struct FrameOutputs {
 struct FrameReport {
   std::uint64_t skin_pixels = 0;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
-  std::string mask, blur;             ///< empty: there are none
+  std::string mask;                   ///< empty: there is none
   bool translucency = false, shape_aware = false;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
@@ -214,7 +232,7 @@ struct FrameReport {
 /// A head that a frame draws.
 struct DrawnHead {
   std::uint32_t model = 0;
-  std::uint32_t side = 0;  ///< T, texels
+  MapDetail detail;
   std::uint32_t head = 0;  ///< among FrameSettings::heads; has no meaning for Technique::gutters
 };
 
@@ -236,7 +254,7 @@ struct Technique {
   std::string_view name;       ///< as RenderSettings::technique names it
   std::string_view summary;    ///< one line, for help texts
   bool uses_profile = true;    ///< light spreads as the material's profile says
-  bool has_light_maps = true;  ///< Optimise, mask, cascade and translucency mean something
+  bool has_light_maps = true;  ///< Optimise, mask and translucency mean something
   /// As the papers have it: skin is lit and shaded where it is drawn, one skin mesh after the other, with
   /// masks that are drawn. Takes no poses and no hosts, and knows no laws of shape.
   bool as_published = false;

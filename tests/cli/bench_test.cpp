@@ -121,15 +121,12 @@ TEST_F(Bench, LampsInPlaceOfTheRig) {
             json({{{"azimuth_deg", 30.0}, {"elevation_deg", 20.0}, {"irradiance", 3.0}}}));
 }
 
-TEST_F(Bench, BlursAreNamedPerColumn) {
+TEST_F(Bench, TechniquesAreNamedPerColumn) {
   const json cell =
       found({"--heads", "1", "--map-size", "512", "--rounds", "1", "--picture-samples", "0"}).at("cells")[0];
-  EXPECT_EQ(cell.at("variants").at("all_cascade").at("blur"), "cascade");
-  EXPECT_EQ(cell.at("variants").at("all_cascade").at("technique"), "texture-space");
-  EXPECT_EQ(cell.at("variants").at("all_shading").at("blur"), "chain");
-  EXPECT_EQ(cell.at("variants").at("baseline").at("blur"), "chain");
+  EXPECT_EQ(cell.at("variants").at("all_shading").at("technique"), "texture-space");
   EXPECT_EQ(cell.at("variants").at("baseline").at("technique"), "published");
-  EXPECT_TRUE(cell.at("variants").at("lambert").at("blur").is_null());
+  EXPECT_EQ(cell.at("variants").at("lambert").at("technique"), "lambert");
 }
 
 TEST_F(Bench, TechniquesAsColumns) {

@@ -122,11 +122,9 @@ TEST_F(CompareScene, EachOptimisationAndAPage) {
                                           {"cull"},
                                           {"depth"},
                                           {"clip"},
-                                          {"cull", "depth", "clip"},
                                           {"cull", "depth", "clip"}}));
 
   EXPECT_NE(result.out.find("texture-space, --optimise cull"), std::string::npos);
-  EXPECT_NE(result.out.find("texture-space, --blur chain"), std::string::npos);
   EXPECT_NE(result.out.find("ears: empty"), std::string::npos);
 
   const std::string page = read_text(folder() / "page.html");

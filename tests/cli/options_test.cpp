@@ -61,7 +61,9 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
   expect_not_understood(run({"bench", "--view", "filmic"}), "--view: is now --tone-map");
   expect_not_understood(run({"compare", scene, scene, "--view", "filmic"}), "--view: is now --tone-map");
   expect_not_understood(run({"render", scene, "-o", out, "--maps", "full"}),
-                        "--maps: is gone: --blur chooses");
+                        "--maps: is gone: texture-space blurs");
+  expect_not_understood(run({"render", scene, "-o", out, "--blur", "chain"}),
+                        "--blur: is gone: texture-space blurs");
   expect_not_understood(run({"plan", "--brush"}), "--brush");
 }
 
@@ -69,9 +71,9 @@ TEST_F(Options, UnknownNamesListTheKnownOnes) {
   refuse({"--technique", "oil"}, "texture-space, lambert");
   refuse({"--tone-map", "sepia"}, "natural, neutral, agx, filmic, srgb, linear");
   refuse({"--mask", "tape"}, "alpha, depth");
-  refuse({"--blur", "some"}, "chain, cascade");
+  refuse({"--shading", "some"}, "raster, compute");
   refuse({"--camera", "main"}, "it has no cameras");
-  refuse({"--show", "nothing"}, "picture, blur:K, ");
+  refuse({"--show", "nothing"}, "picture, blur:");
   refuse({"--show", "shadow:-1"}, "shadow:0");
   refuse({"--show", "shadow:99999999999999999999"}, "shadow:0");
   refuse({"--device", "abacus"}, "there are: 0: ");
@@ -197,7 +199,7 @@ TEST_F(Options, ExtremesThatAreAllowedGiveAPicture) {
                               {"--unit-scale", "1e-6"},
                               {"--heads", "2", "--lights", "0"},
                               {"--environment", "studio", "--environment-rotation", "-77.5"},
-                              {"--optimise", "none", "--blur", "cascade"},
+                              {"--optimise", "none", "--light-samples", "1"},
                               {"--optimise", "cull", "--mask", "alpha", "--clip-margin", "0"},
                               {"--optimise", "clip", "--mask", "depth", "--distance", "0.5"},
                               {"--d-ref", "0.000001", "--heads", "3", "--map-budget", "1"}}) {

@@ -3,6 +3,8 @@
 // and a file that is wrong is refused in one line.
 #include <nlohmann/json.hpp>
 
+#include <fmt/format.h>
+
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
 
@@ -25,10 +27,9 @@ class SettingsFiles : public Program {
 };
 
 TEST_F(SettingsFiles, GiveTheSamePictureAgain) {
-  const std::string first = rendered(
-      {"--orbit",      "30,5",  "--light",         "-30,10,2.5", "--light",    "60,0", "--mask",     "depth",
-       "--blur",       "chain", "--exposure",      "auto",       "--tone-map", "agx",  "--specular", "off",
-       "--unit-scale", "0.3",   "--save-settings", saved()});
+  const std::string first = rendered({"--orbit", "30,5", "--light", "-30,10,2.5", "--light", "60,0", "--mask",
+                                      "depth", "--exposure", "auto", "--tone-map", "agx", "--specular", "off",
+                                      "--unit-scale", "0.3", "--save-settings", saved()});
   const std::string text = read_text(saved());
   EXPECT_EQ(rendered({"--settings", saved()}), first);
 
@@ -43,10 +44,14 @@ TEST_F(SettingsFiles, WhatIsGoneIsLeftOutWithAWarning) {
   EXPECT_NE(run.err.find("'tiles' is left out: texture-space always blurs tiles"), std::string::npos)
       << run.err;
 
-  const Result maps = render({head(), "--settings", file("maps.json", R"({"quality": {"maps": "full"}})")});
-  EXPECT_EQ(maps.status, 0);
-  EXPECT_NE(maps.err.find("quality.maps: is left out: quality.blur (--blur) chooses"), std::string::npos)
-      << maps.err;
+  for (const auto& [name, value] : {std::pair("maps", "full"), {"blur", "cascade"}}) {
+    const std::string old = fmt::format(R"({{"quality": {{"{}": "{}"}}}})", name, value);
+    const Result gone = render({head(), "--settings", file("gone.json", old)});
+    EXPECT_EQ(gone.status, 0);
+    EXPECT_NE(gone.err.find(fmt::format("quality.{}: is left out: texture-space blurs narrow to wide", name)),
+              std::string::npos)
+        << gone.err;
+  }
 }
 
 TEST_F(SettingsFiles, WhatIsGivenByItselfWins) {

@@ -33,8 +33,8 @@ struct Bench {
   std::optional<Cell> cell(const Place& place) {
     const std::string where =
         fmt::format("{} head{} at {:g} radii", place.heads, place.heads == 1 ? "" : "s", place.distance);
-    std::optional<Contest> contest(std::in_place, renderer, scene,
-                                   variants_of(settings_at(task, place), task.cascade), task.frames_bytes);
+    std::optional<Contest> contest(std::in_place, renderer, scene, variants_of(settings_at(task, place)),
+                                   task.frames_bytes);
     std::optional<Picture> baseline, optimised;
     const auto each = [&](const std::string& what, const auto& action) {
       for (std::size_t i = 0; i < contest->size() && !stopped(); ++i) {
@@ -102,20 +102,11 @@ bool has_plan(const Scene& scene, const RenderSettings& settings) {
   } catch (const InputError&) { return false; }
 }
 
-bool cascade_is_possible(const Scene& scene, const RenderSettings& common) {
-  for (const Variant& variant : variants_of(common)) {
-    // If it is another setting that is refused, the first frame says so.
-    if (variant.key == cascade_key && !has_plan(scene, variant.settings)) return false;
-  }
-  return true;
-}
-
 void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
              const std::function<void(const Cell&)>& after_cell) {
   // Add up the work ahead, in frames of about one head, for the progress line.
   double total = 0;
-  const auto frames =
-      static_cast<double>(variants_of(task.settings, task.cascade).size()) * (task.rounds + 1);
+  const auto frames = static_cast<double>(variants_of(task.settings).size()) * (task.rounds + 1);
   for (const Place& place : places_of(task))
     total += work_of(place) * (frames + (task.picture_samples == 0 ? 0 : picture_work));
 

@@ -16,7 +16,6 @@ struct Task {
   RenderSettings settings;  ///< common; heads and distance are those of the cell
   std::vector<int> heads;
   std::vector<double> distances;
-  bool cascade = true;  ///< variants that take the cascade of blurs are drawn
   int rounds = 5;
   int picture_samples = 4;     ///< super-samples along each axis for the picture difference; 0: no difference
   bool keep_pictures = false;  ///< for a page
@@ -36,12 +35,8 @@ std::vector<Place> places_of(const Task& task);
 /// The settings of a cell.
 RenderSettings settings_at(const Task& task, const Place& place);
 
-/// Returns whether there is a plan of a frame: a map may have too few texels for a cascade.
+/// Returns whether there is a plan of a frame: settings may not go together.
 bool has_plan(const Scene& scene, const RenderSettings& settings);
-
-/// Returns whether the cascade of blurs can be drawn, with settings that hold for all variants: not where
-/// texels are too few.
-bool cascade_is_possible(const Scene& scene, const RenderSettings& common);
 
 /// Measures all cells into `run`; after_cell is called with each as soon as it is there (then run has its
 /// device, too). Stops early, with run.complete = false, when the task says so. Every variant has warmed up

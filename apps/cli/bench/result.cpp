@@ -74,7 +74,6 @@ nlohmann::ordered_json variant_object(const Measured& m) {
   return {{"meaning", m.variant.meaning},
           {"technique", m.counts.technique},
           {"optimise", m.counts.optimise},
-          {"blur", m.counts.blur.empty() ? ordered_json(nullptr) : ordered_json(m.counts.blur)},
           {"mask", m.counts.mask.empty() ? ordered_json(nullptr) : ordered_json(m.counts.mask)},
           {"skip_unseen_heads", or_null(m.variant.settings.quality.skip_unseen_heads)},
           {"ms", {{"median", spread.median}, {"min", spread.min}, {"max", spread.max}}},

@@ -68,7 +68,6 @@ struct Run {
   std::string device, driver, api, timing;
   int cores = 0;
   int lights = 0, gaussians = 0, rounds = 0;
-  bool cascade = true;      ///< as of Task
   RenderSettings settings;  ///< common to all cells and variants
   SceneOptions options;
   std::vector<Cell> cells;

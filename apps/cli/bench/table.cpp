@@ -41,7 +41,7 @@ std::string table_head(const Run& run) {
       s.quality.shadow_size, s.quality.samples, run.lights, run.gaussians);
   text += fmt::format("frames in ms, medians of {} rounds\n\n", run.rounds) +
           fmt::format(fmt::runtime(cell_format), "heads", "distance");
-  for (const Variant& variant : variants_of(s, run.cascade))
+  for (const Variant& variant : variants_of(s))
     text += fmt::format(fmt::runtime(time_format), variant.heading);
   for (const char* heading :
        {"| speed-up", "over skipping", "paper", "| compute", "over all", "| still", "over all"})
@@ -88,8 +88,6 @@ std::string table_foot(const Run& run) {
   if (!run.cells.empty())
     for (const Measured& m : run.cells.front().measured)
       text += fmt::format("{:<9} {}\n", m.variant.heading, m.variant.meaning);
-  if (!run.cascade)
-    text += "cascade and compute are left out: some of the skin has too few texels per mm for the cascade\n";
   text += "PSNR and FLIP: " + difference_meaning(run) + "\n";
   return text + "\nspeed-up of all over the baseline (the paper's, on a GeForce 8800 GTX):\n" +
          paper_table(run);

@@ -11,9 +11,8 @@
 
 namespace dermis::cli::bench {
 
-/// Returns a column per technique with the settings that hold for all, and a further one of those with light
-/// maps: with the cascade of blurs and shaded in compute, where the scene allows it. No names: all that can
-/// draw the scene; what a named one cannot draw is refused, InputError.
+/// Returns a column per technique with the settings that hold for all. No names: all that can draw the scene;
+/// what a named one cannot draw is refused, InputError.
 std::vector<Variant> technique_variants(const Scene& scene, const RenderSettings& common,
                                         const std::vector<std::string>& names);
 

@@ -79,7 +79,7 @@ double coverage_of(const Cell& cell, const RenderSettings& settings) {
 ViewCost view_cost(const Measured& measured) {
   const std::vector<double> groups = group_ms(measured.passes);
   // Shadow maps; irradiance, masks and convolutions of light maps. In the picture convolutions are per view.
-  const std::size_t shared = measured.counts.blur.empty() ? 1 : 4;
+  const std::size_t shared = measured.counts.irradiance_texels == 0 ? 1 : 4;
   ViewCost cost;
   for (std::size_t i = 0; i < groups.size(); ++i)
     (i < shared ? cost.shared_ms : cost.per_view_ms) += groups[i];

@@ -16,7 +16,6 @@ RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
 RenderSettings stepwise(RenderSettings s) {
   s.technique = "texture-space";
   s.quality.shading = Shading::raster;
-  s.quality.blur = BlurOrder::chain;
   s.quality.irradiance = IrradianceBy::raster;
   return s;
 }
@@ -49,11 +48,6 @@ RenderSettings still(RenderSettings s) {
   return s;
 }
 
-RenderSettings with_cascade(RenderSettings s) {
-  s.quality.blur = BlurOrder::cascade;
-  return s;
-}
-
 RenderSettings shaded_in_compute(RenderSettings s) {
   s.quality.shading = Shading::compute;
   return s;
@@ -61,7 +55,7 @@ RenderSettings shaded_in_compute(RenderSettings s) {
 
 }  // namespace
 
-std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
+std::vector<Variant> variants_of(const RenderSettings& common) {
   std::vector<Variant> all{
       {baseline_key, "baseline", "as published: every head, whole maps", every_head(common)},
       {skipping_key, "skipping",
@@ -78,23 +72,16 @@ std::vector<Variant> variants_of(const RenderSettings& common, bool cascade) {
                    at_edge(common)});
 
   const RenderSettings optimised = stepwise(with(common, true, true, true));
-  if (cascade)
-    all.push_back({cascade_key, "cascade",
-                   "all, by texture-space with the cascade of blurs, wide to narrow on a pyramid of maps",
-                   with_cascade(optimised), true});
   all.push_back({shading_key, "ids", "all, by texture-space with skin drawn as ids and shaded in compute",
                  shaded_in_compute(optimised), true});
   all.push_back({texels_key, "texels", "all, by texture-space with the texels of light maps lit in compute",
                  lit(optimised, IrradianceBy::compute), true});
-  const RenderSettings computed = lit(shaded_in_compute(cascade ? with_cascade(optimised) : optimised), {});
-  if (cascade)
-    all.push_back({compute_key, "compute",
-                   "all, by texture-space with the cascade, with ids, and lit where that is fastest here",
-                   computed, true});
+  const RenderSettings computed = lit(shaded_in_compute(optimised), {});
+  all.push_back({compute_key, "compute", "all, by texture-space with ids, and lit where that is fastest here",
+                 computed, true});
   all.push_back({still_key, "still",
-                 cascade ? "compute, where heads and lights stand still: their shadow maps are kept"
-                         : "all, in compute, where heads and lights stand still: their shadow maps are kept",
-                 still(computed), true});
+                 "compute, where heads and lights stand still: their shadow maps are kept", still(computed),
+                 true});
 
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
                  unscattered(common)});

@@ -23,8 +23,7 @@ inline constexpr const char* skipping_key = "skip";
 inline constexpr const char* optimised_key = "all";  ///< whose speed-up and picture are reported
 /// clipped at the very edge of the picture, as in [JG08]
 inline constexpr const char* at_edge_key = "all_margin_0";
-/// all, by texture-space, with each of the steps beyond the paper alone; `compute` is all with the first two
-inline constexpr const char* cascade_key = "all_cascade";
+/// all, by texture-space, with each of the steps beyond the paper alone; `compute` is all with both
 inline constexpr const char* shading_key = "all_shading";
 inline constexpr const char* texels_key = "all_texels";
 inline constexpr const char* compute_key = "compute";
@@ -35,7 +34,6 @@ inline constexpr const char* compute_floor_key = "lambert_compute";
 /// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
 /// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever
 /// the settings say, and only the variants of the steps beyond the paper take these.
-/// Without `cascade` those that take the cascade of blurs are left out.
-std::vector<Variant> variants_of(const RenderSettings& common, bool cascade = true);
+std::vector<Variant> variants_of(const RenderSettings& common);
 
 }  // namespace dermis::cli::bench

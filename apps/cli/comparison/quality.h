@@ -17,7 +17,7 @@ struct QualitySetting {
 };
 
 /// Returns the settings of a technique from cheap to dear, as far as it can draw the scene with them: taps of
-/// each kernel at full and half resolution, sizes of light maps, the cascade in compute. One point of a
+/// each kernel at full and half resolution, sizes of light maps. One point of a
 /// technique that has none of these.
 std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSettings& common,
                                              const std::string& technique);

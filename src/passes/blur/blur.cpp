@@ -95,11 +95,9 @@ std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, doubl
   return blur_steps(variances, max_texels_per_mm);
 }
 
-int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm, double first_mm2) {
-  double widest_mm2 = first_mm2;
-  for (const BlurStep& step : blur_steps(profile, max_texels_per_mm))
-    widest_mm2 = std::max(widest_mm2, step.variance_mm2);
-  const double reach = std::ceil(kernel_reach * std::sqrt(widest_mm2) * max_texels_per_mm) + 2;
+int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
+  const double widest_mm = std::sqrt(profile.max_variance_mm2());
+  const double reach = std::ceil(kernel_reach * widest_mm * max_texels_per_mm) + 2;
   return static_cast<int>(std::clamp(reach, 3.0, double{max_gutter_width}));
 }
 

@@ -53,7 +53,7 @@ class Blur : public TiledPass {
   gpu::Buffer kernels_;
 };
 
-/// One step of the cascade.
+/// One step of the chain.
 struct BlurStep {
   double variance_mm2 = 0;  ///< added by this step
   bool ends_term = false;   ///< the light after this step is a term of the sum
@@ -67,8 +67,8 @@ std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, doubl
 
 inline constexpr int max_gutter_width = 96;  ///< texels
 
-/// Returns the texels beside a seam that the widest step reads, at most max_gutter_width. first_mm2: of the
-/// step with which a chain starts that leaves narrow terms out.
-int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm, double first_mm2 = 0);
+/// Returns the texels beside a seam that a step may read, at most max_gutter_width: also one with which a
+/// chain starts that leaves all terms but the widest out.
+int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
 
 }  // namespace dermis::passes

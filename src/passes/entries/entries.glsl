@@ -13,7 +13,8 @@ layout(binding = 2, r32ui) uniform writeonly uimage2D samples_of_pixels;
 layout(binding = 3, rg32ui) uniform writeonly uimage2DArray entries_of_pixels;
 layout(binding = 4, scalar) buffer Parts { PartIo parts[]; };
 
-// An entry of a pixel: its id, and its samples as bits.
+// The entries of a pixel: their ids, and their samples as bits. Where one has all samples, the second id is
+// that of the last sample.
 struct PixelEntries {
   uvec4 ids;
   uint samples;  // of all, four bits each
@@ -68,7 +69,8 @@ PixelEntries split(uvec4 id, uint id_first, uint covered) {
   uint third = 0u;
   for (int s = 0; s < 4; ++s)
     if ((others >> s & 1u) != 0u && id[s] != id_second) third |= 1u << s;
-  if (third == 0u) return PixelEntries(uvec4(id_first), covered);
+  if (third == 0u)
+    return PixelEntries(covered == 15u ? uvec4(id[0], id[3], 0u, 0u) : uvec4(id_first), covered);
 
   // Of four triangles two samples each.
   if (bitCount(shown) == 1 && bitCount(third) == 2) {
@@ -124,6 +126,7 @@ void main() {
   const uint part_of_first = found.samples != 0u ? (found.ids.x >> ID_TRIANGLE_BITS) - 1u : 0u;
   imageStore(samples_of_pixels, at, uvec4(found.samples | part_of_first << SAMPLES_BITS));
 
+  if (found.samples == 15u) imageStore(entries_of_pixels, ivec3(at, 1), uvec4(found.ids[1], 0u, 0u, 0u));
   int e = 0;
   for (uint left = found.samples; left != 0u; left >>= 4, ++e)
     imageStore(entries_of_pixels, ivec3(at, e), uvec4(found.ids[e], rank_of(found.ids[e]), 0u, 0u));

@@ -50,7 +50,7 @@ void FinalPass::draw(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
   draw_skin(
       cmd, instance, mesh, bindings,
       [&](const GpuDraw& draw, const GpuMaterial& material) {
-        return pipelines_[shading_.variant_of(instance, draw, material).index()][material.double_sided];
+        return pipelines_[shading_.variant_of(frame, draw, material).index()][material.double_sided];
       },
       [io = shading_.io(frame)](const GpuMaterial&) { return io; }, first_corners(instance, mesh));
 }

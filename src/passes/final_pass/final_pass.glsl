@@ -23,7 +23,8 @@ layout(location = 0) out vec4 out_radiance;
 void main() {
   const ShadingPoint s = drawn_point(in_position_m, in_normal, in_plane_m, in_tangent, in_uv, in_colour,
                                      gl_FrontFacing ? 1.0 : -1.0);
-  const vec3 radiance = skin_radiance(s, OnMap(within_triangle(in_unwrap), in_uv_per_mm, in_shape, in_along));
+  const OnMap on = OnMap(within_triangle(in_unwrap), in_uv_per_mm, in_shape, in_along);
+  const vec3 radiance = skin_radiance(s, on, false);
 
   if (cut_out && is_cut(in_uv, in_colour)) discard;
   out_radiance = vec4(radiance, 1.0);

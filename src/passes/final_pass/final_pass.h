@@ -46,10 +46,10 @@ class UnshadedReads {
     bool cut_out = false;    ///< as of FinalPass
     std::uint32_t slot = 0;  ///< of the counters
     TermsOnMap terms;        ///< as of FinalPass
+    bool mixes = false;      ///< likewise
   } settings;
   struct In {
-    std::vector<frame::TextureId>
-        lights;  ///< RGBA16F pools, one per term, or their sum: the first that is read
+    std::vector<frame::TextureId> lights;  ///< RGBA16F pools, one per term
     frame::TextureId depth;
     frame::BufferId counters;
   } in;

@@ -10,19 +10,19 @@ struct FinalPassIo {
   uvec2 map_origin;          // of the head's square in the pool of light maps
   uint map_side;             // T, texels
   uint slot;                 // of the counters, see unshaded_reads.frag
+  uint through_rays;         // 1: some of the light of wide terms comes through at the pixel
 };
-// What the pass needs to know where the map is too coarse: see coarse_share() of final_pass.h.
+// What the pass needs to know of the terms and of the laws of shape.
 struct SkinTermsIo {
-  float sigma_mm[MOST_TERMS];  // of the Gaussians, narrow to wide
+  float sigma_mm[MOST_TERMS];  // of the Gaussians that maps hold, narrow to wide
   float widest_mm;             // the last of them
-  float even_uv_per_mm;        // texture coordinates per mm, if the skin filled the map evenly
-  float largest_side;          // T_max, texels
+  uint first_mapped;           // the first of them, among all terms
   ShapeIo shape;
   float exit_offset_m;  // mean of the channels
   float m_per_mm;       // of the world, of the asset
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::FinalPassIo) == 112);
+static_assert(sizeof(dermis::io::FinalPassIo) == 116);
 #endif
 #endif

@@ -26,7 +26,11 @@ void main() {
   if (!find_listed(shade.look.slot, place)) return;
   zero = list[place] >> 31;  // never set: shared/entries_io.h
   const Entry entry = listed(list[place], shade.width);
-  const SeenSkin seen = seen_skin(entry);
-  const vec3 radiance = skin_radiance(seen.s, seen.on);
+  const SeenSkin seen = seen_skin(entry, 0);
+  vec3 radiance = skin_radiance(seen.s, seen.on, false);
+  if (light_samples == 2) {  // also where both are one point: a branch per entry would not save it
+    const SeenSkin second = seen_skin(entry, 1);
+    radiance = 0.5 * (radiance + skin_radiance(second.s, second.on, true));
+  }
   imageStore(entries_of_pixels, entry.at, entry_of(radiance));
 }

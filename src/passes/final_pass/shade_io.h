@@ -11,10 +11,10 @@ struct ShadeIo {
 // One buffer in place of two: devices may have no more than 32 bindings.
 struct ThroughTermsIo {
   SkinTermsIo terms;
-  TransmissionIo transmission;
+  TransmissionIo transmission;  // of all terms
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::ShadeIo) == 116);
+static_assert(sizeof(dermis::io::ShadeIo) == 120);
 #endif
 #endif

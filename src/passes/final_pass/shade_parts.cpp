@@ -21,7 +21,7 @@ void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
   io.look.slot = shaded.first_part;
   for (const GpuDraw& draw : instance.scene->skin[mesh].draws) {
     const GpuMaterial& material = instance.look->material(draw.material);
-    const gpu::Pipeline& pipeline = *pipelines[shading.variant_of(instance, draw, material).index()];
+    const gpu::Pipeline& pipeline = *pipelines[shading.variant_of(frame, draw, material).index()];
     Bindings all = bindings;
     offer_skin(all, instance, mesh, material);
     all.bind(cmd, pipeline);

@@ -4,6 +4,7 @@
 // declares.
 #include "shaders/bulge.glsl"
 layout(constant_id = 16) const bool multisampled = true;
+layout(constant_id = 23) const int light_samples = 2;  // of a pixel that one surface covers
 
 // Where a pixel sees a triangle: barycentric coordinates, which sum to 1, and their change per pixel.
 struct Seen {
@@ -22,6 +23,22 @@ vec2 middle_of(uint samples) {
                    ((samples & 4u) != 0u ? vec2(0.125, 0.625) : vec2(0.0)) +
                    ((samples & 8u) != 0u ? vec2(0.625, 0.875) : vec2(0.0));
   return sum / float(bitCount(samples));
+}
+
+// Whether an entry is lit at two points: not where skin is cut, as the middle of the pixel was tested, also
+// beside the triangle. Maps have a gap anywhere else, and the colour of what is not there.
+bool is_cut_out() { return is_on(material.flags & MATERIAL_ALPHA_MASK); }
+bool has_two_points(Entry entry) {
+  return light_samples == 2 && is_whole(entry, multisampled) && !is_cut_out();
+}
+
+// Returns a point of an entry, in pixels. Two lie on a diagonal: at the first and the last sample, if there
+// are several.
+vec2 point_of(Entry entry, int point) {
+  if (is_cut_out()) return vec2(0.5);
+  if (!has_two_points(entry)) return middle_of(entry.samples);
+  if (!multisampled) return vec2(0.25 + 0.5 * float(point));
+  return point == 0 ? vec2(0.375, 0.125) : vec2(0.625, 0.875);
 }
 
 // The corners of a triangle in clip coordinates are a, b, c. The point on the ray through `at` is sum share_i
@@ -76,24 +93,25 @@ struct SeenSkin {
   vec3 share;     // of each
 };
 
-SeenSkin seen_skin(Entry entry) {
-  const uint first = 3u * entry.triangle;
+// point: 0, or 1 where there are two.
+SeenSkin seen_skin(Entry entry, int point) {
+  const uint first = 3u * (point == 0 ? entry.triangle : entry.second_triangle);
   const uint i = indices[first], j = indices[first + 1u], k = indices[first + 2u];
   const VertexIo a = vertex_at(i), b = vertex_at(j), c = vertex_at(k);
   const vec3 pa = world_position(a.position_m), pb = world_position(b.position_m),
              pc = world_position(c.position_m);
 
-  // Where skin is cut, the middle of the pixel was tested, also beside the triangle. Maps have a gap anywhere
-  // else, and the colour of what is not there.
-  const bool cut = is_on(material.flags & MATERIAL_ALPHA_MASK);
-  const vec2 inside = cut ? vec2(0.5) : middle_of(entry.samples),
-             at = vec2(entry.at.xy - ivec2(frame.picture_low)) + inside;
+  const bool cut = is_cut_out();
+  const vec2 at = vec2(entry.at.xy - ivec2(frame.picture_low)) + point_of(entry, point);
   const Seen seen = seen_at((2.0 * at / vec2(frame.picture_size) - 1.0) * vec2(1.0, -1.0), clip_position(pa),
                             clip_position(pb), clip_position(pc));
 
   const VertexExtraIo ea = vertex_extra(i), eb = vertex_extra(j), ec = vertex_extra(k);
   const vec4 uva = vec4(a.uv0, ea.uv1), uvb = vec4(b.uv0, eb.uv1), uvc = vec4(c.uv0, ec.uv1);
-  const vec4 dx = at_seen(seen.dx, uva, uvb, uvc), dy = at_seen(seen.dy, uva, uvb, uvc);
+  // Each of two points stands for half of the pixel, and shows finer maps.
+  const float footprint = has_two_points(entry) ? 0.5 : 1.0;
+  const vec4 dx = footprint * at_seen(seen.dx, uva, uvb, uvc),
+             dy = footprint * at_seen(seen.dy, uva, uvb, uvc);
   const vec4 colour = at_seen(seen.share, ea.colour, eb.colour, ec.colour);
   vec4 uv = at_seen(cut ? seen.beside : seen.near, uva, uvb, uvc);
   if (cut) uv = beside_gap(uv, colour, dx, dy);
@@ -119,7 +137,7 @@ SeenSkin seen_skin(Entry entry) {
   const SkinVertexIo sa = skin_vertex_at(i), sb = skin_vertex_at(j), sc = skin_vertex_at(k);
   OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec4(0.0),
                    AlongSkin(vec3(0.0), vec3(0.0)));
-  if (coarse)
+  if (mixed)
     on.uv_per_mm =
         dot(seen.share, vec3(uv_per_mm(sa.metric_mm2), uv_per_mm(sb.metric_mm2), uv_per_mm(sc.metric_mm2)));
   if (shape_aware) {

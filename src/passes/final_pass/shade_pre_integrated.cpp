@@ -50,7 +50,8 @@ void ShadePreIntegrated::prepare(gpu::PipelineLibrary& library) {
                              {"detailed", variant.kind.detailed ? 1u : 0u},
                              {"shadow_taps", settings.shadow_taps},
                              {"unscattered", all_scatters ? 0u : 1u},
-                             {"multisampled", settings.samples > 1 ? 1u : 0u}};
+                             {"multisampled", settings.samples > 1 ? 1u : 0u},
+                             {"light_samples", settings.look.light_samples}};
     const bool through = shading_.through(variant);
     if (through) shading_.add_through_constants(constants);
     pipelines_[variant.index()] = &library.compute(

@@ -16,7 +16,7 @@ layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
 #define transmission through_terms_io.transmission
 #endif
 #include "passes/final_pass/skin_pre_integrated.glsl"
-const bool coarse = false;
+const bool mixed = false;
 #include "passes/final_pass/shade_point.glsl"
 
 // Returns coordinates of the normal map per mm of the asset, of a triangle.
@@ -36,14 +36,18 @@ float normal_uv_per_mm(uvec3 corners) {
   return sqrt(abs((e.x * f.y - e.y * f.x) * turned) / max(area_mm2, 1e-12));
 }
 
+vec3 seen_radiance(SeenSkin seen) {
+  const float per_mm =
+      dot(seen.share, vec3(curvature[seen.corners.x], curvature[seen.corners.y], curvature[seen.corners.z]));
+  return skin_pre_integrated(seen.s, seen.on.unwrap, per_mm, normal_uv_per_mm(seen.corners));
+}
+
 void main() {
   uint place;
   if (!find_listed(shade.look.slot, place)) return;
   zero = list[place] >> 31;  // never set: shared/entries_io.h
   const Entry entry = listed(list[place], shade.width);
-  const SeenSkin seen = seen_skin(entry);
-  const float per_mm =
-      dot(seen.share, vec3(curvature[seen.corners.x], curvature[seen.corners.y], curvature[seen.corners.z]));
-  const vec3 radiance = skin_pre_integrated(seen.s, seen.on.unwrap, per_mm, normal_uv_per_mm(seen.corners));
+  vec3 radiance = seen_radiance(seen_skin(entry, 0));
+  if (light_samples == 2) radiance = 0.5 * (radiance + seen_radiance(seen_skin(entry, 1)));
   imageStore(entries_of_pixels, entry.at, entry_of(radiance));
 }

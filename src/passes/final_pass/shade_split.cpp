@@ -27,7 +27,8 @@ void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
                              {"off_map", variant.off_map ? 1u : 0u},
                              {"emits", variant.kind.emits ? 1u : 0u},
                              {"detailed", variant.kind.detailed ? 1u : 0u},
-                             {"multisampled", settings.samples > 1 ? 1u : 0u}};
+                             {"multisampled", settings.samples > 1 ? 1u : 0u},
+                             {"light_samples", settings.look.light_samples}};
     const bool through = shading_.through(variant);
     if (through) shading_.add_through_constants(constants);
     pipelines_[variant.index()] =

@@ -16,7 +16,7 @@ layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
 #define transmission through_terms_io.transmission
 #endif
 #include "passes/final_pass/skin_split.glsl"
-const bool coarse = false;
+const bool mixed = false;
 #include "passes/final_pass/shade_point.glsl"
 layout(binding = 14, rgba16f) uniform writeonly image2D light_of_skin;
 layout(binding = 15, r32f) uniform writeonly image2D depth_of_skin;
@@ -30,8 +30,12 @@ void main() {
   if (!find_listed(shade.look.slot, place)) return;
   zero = list[place] >> 31;  // never set: shared/entries_io.h
   const Entry entry = listed(list[place], shade.width);
-  const SeenSkin seen = seen_skin(entry);
+  const SeenSkin seen = seen_skin(entry, 0);
   SplitSkin skin = skin_split(seen.s, seen.on.unwrap, split.blurred);
+  if (light_samples == 2) {
+    const SeenSkin second = seen_skin(entry, 1);
+    skin = mean_of(skin, skin_split(second.s, second.on.unwrap, split.blurred));
+  }
 
   const ivec2 at = entry.at.xy;
   if (entry.at.z == 0) {

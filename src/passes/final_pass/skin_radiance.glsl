@@ -6,11 +6,11 @@
 #include "passes/final_pass/along_skin.glsl"
 #include "shared/gutters_io.h"
 #ifdef THROUGH
+#define THROUGH_RAYS (io.through_rays != 0u)
 #include "shaders/skin_through.glsl"
 #endif
 layout(constant_id = 0) const int term_count = 6;
-layout(constant_id = 1) const bool direct = false;   // what the weights lack of 1 is lit per pixel
-layout(constant_id = 17) const bool summed = false;  // the first map holds the weighted sum
+layout(constant_id = 1) const bool direct = false;  // what the weights lack of 1 is lit per pixel
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
 layout(binding = 16) uniform sampler2D light_2;
@@ -20,7 +20,7 @@ layout(binding = 19) uniform sampler2D light_5;
 layout(binding = 20) uniform sampler2D light_6;
 layout(binding = 21) uniform sampler2D light_7;
 
-#include "passes/final_pass/coarse_share.glsl"
+#include "passes/final_pass/map_share.glsl"
 #include "passes/final_pass/light_point.glsl"
 #include "passes/final_pass/exit_offset.glsl"
 #include "passes/final_pass/shape_factor.glsl"
@@ -31,7 +31,7 @@ bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3
 
 // Returns the part of a term that is read from its map.
 vec3 mapped_weight(int term, OnMap on) {
-  return (1.0 - coarse_share(terms.sigma_mm[term], on.uv_per_mm)) * io.weights[term];
+  return map_share(terms.sigma_mm[term], on.uv_per_mm) * io.weights[term];
 }
 
 #include "shaders/light_left.glsl"
@@ -44,7 +44,6 @@ vec3 light_of(sampler2D light, vec2 at) {
 // lies at `unwrap`.
 vec3 scattered(OnMap on, vec2 unwrap) {
   const vec2 at = light_point(unwrap) / vec2(textureSize(light_0, 0));
-  if (summed) return light_of(light_0, at);
   vec3 sum = vec3(0.0);
   if (is_read(0)) sum += mapped_weight(0, on) * light_of(light_0, at);
   if (is_read(1)) sum += mapped_weight(1, on) * light_of(light_1, at);
@@ -66,23 +65,28 @@ vec3 through_share(LitThrough r, OnMap on) {
     mean += joining(r, g);
     vec3 share = transmission.group_weight[g];
     for (int i = 0; i < term_count; ++i)
-      if (transmission.group[i] == uint(g)) share -= mapped_weight(i, on);
+      if (transmission.group[terms.first_mapped + uint(i)] == uint(g)) share -= mapped_weight(i, on);
     sum += share * mean;
   }
   return sum;
 }
 #endif
 
-// s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats.
-vec3 skin_radiance(ShadingPoint s, OnMap on) {
+#ifdef THROUGH
+LitThrough found_through;  // at the first point of an entry
+#endif
+
+// s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats. again: at
+// the second point of an entry, to which the same light comes through.
+vec3 skin_radiance(ShadingPoint s, OnMap on, bool again) {
   const vec3 v = view_vector(s.position_m);
   const vec3 n = skin_normal(s);
   const SkinSpecular spec = skin_specular(s);
   const SkinView view = skin_view(n, v, spec);
   const vec3 albedo = skin_albedo(s);
 #ifdef THROUGH
-  const LitThrough r = lit_through(s, n, spec, view);
-  const LitSkin lit = r.skin;
+  if (!again) found_through = lit_through(s, n, spec, view);
+  const LitSkin lit = again ? lit_skin(s, n, spec, true, view) : found_through.skin;
 #else
   const LitSkin lit = lit_skin(s, n, spec, direct, view);
 #endif
@@ -98,7 +102,7 @@ vec3 skin_radiance(ShadingPoint s, OnMap on) {
     const vec3 entering = lit.entering + entering_surroundings(s, n, on.unwrap);
     vec3 leaving = share * entering * albedo;
 #ifdef THROUGH
-    leaving += through_share(r, on) * albedo_power(albedo, 1.0 - material.mix_before);
+    leaving += through_share(found_through, on) * albedo_power(albedo, 1.0 - material.mix_before);
 #endif
     diffuse += leaving * (frame.radiance_scale / pi);
   }

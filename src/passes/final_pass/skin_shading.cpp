@@ -10,36 +10,6 @@
 namespace dermis::passes {
 namespace {
 
-float smoothstep(float low, float high, float x) {
-  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
-
-float too_few(float x) { return 1 - smoothstep(0.075f, 0.15f, x); }
-
-}  // namespace
-
-bool is_coarse(float widest_mm, float texels_per_mm, float even_texels_per_mm) {
-  return coarse_share(0, widest_mm, texels_per_mm, even_texels_per_mm) > 0;
-}
-
-float coarse_share(float sigma_mm, float widest_mm, float texels_per_mm, float even_texels_per_mm) {
-  const float poor =
-      std::max(too_few(texels_per_mm / even_texels_per_mm), too_few(widest_mm * texels_per_mm));
-  return poor * (1 - smoothstep(0.2f, 0.4f, sigma_mm * texels_per_mm));
-}
-
-float direct_share(float sigma_texels, float shrink) {
-  return smoothstep(1, 1.4f, shrink) * (1 - smoothstep(0.35f, 0.8f, sigma_texels));
-}
-
-float share_at_pixel(float sigma_mm, float texels_per_mm, std::uint32_t largest_side, std::uint32_t side) {
-  const float shrink = static_cast<float>(largest_side) / static_cast<float>(side);
-  return direct_share(sigma_mm * texels_per_mm / shrink, shrink);
-}
-
-namespace {
-
 double mean(const std::array<double, 3>& rgb) { return (rgb[0] + rgb[1] + rgb[2]) / 3; }
 
 io::ShapeIo shape_io(const ShapeLaws& laws) {
@@ -64,21 +34,22 @@ gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
   io::ThroughTermsIo io{};
   std::copy(terms.sigmas_mm.begin(), terms.sigmas_mm.end(), io.terms.sigma_mm);
   io.terms.widest_mm = terms.sigmas_mm.empty() ? 0 : terms.sigmas_mm.back();
-  io.terms.even_uv_per_mm = terms.even_uv_per_mm;
-  io.terms.largest_side = static_cast<float>(terms.largest_side);
   if (terms.shape) {
     io.terms.shape = shape_io(*terms.shape);
     io.terms.exit_offset_m = static_cast<float>(mean(terms.shape->exit_offset_mm) / terms.mm_per_unit);
     io.terms.m_per_mm = static_cast<float>(1 / terms.mm_per_unit);
   }
-  if (through) io.transmission = transmission_io(through->profile, through->mm_per_unit);
+  if (through) {
+    io.transmission = transmission_io(through->profile, through->mm_per_unit, through->first_mapped);
+    io.terms.first_mapped = through->first_mapped;
+  }
   return gpu::make_buffer(device, "skin terms", std::span<const io::ThroughTermsIo>(&io, 1),
                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 }
 
 SkinShading::SkinShading(SkinLook look, SkinLights lights)
     : look_(std::move(look)), lights_(std::move(lights)) {
-  DERMIS_ASSERT_EQ(lights_.maps.size(), look_.summed ? 1 : look_.weights.size());
+  DERMIS_ASSERT_EQ(lights_.maps.size(), look_.weights.size());
   DERMIS_ASSERT_LE(lights_.maps.size(), std::size_t{MOST_TERMS});
 }
 
@@ -90,14 +61,14 @@ void SkinShading::declare(frame::Declare& d) const {
 
 void SkinShading::prepare(gpu::PipelineLibrary& library) {
   terms_ = make_terms(library.device(), look_.terms, look_.through);
-  if (through()) through_ = ThroughBindings(library, {*look_.through});
+  if (through()) through_ = ThroughBindings(library, {*look_.through}, true);
   samplers_ = LightingSamplers(library);
 }
 
 std::vector<SkinVariant> SkinShading::variants() const {
   using Lit = SkinVariant::Lit;
   std::vector<SkinVariant> lit{{.lit = look_.weights.empty() ? Lit::at_pixel : Lit::on_map}};
-  if (look_.mixes || look_.terms.coarse || look_.unscattered) lit.push_back({.lit = Lit::mixed});
+  if (look_.mixes || look_.unscattered) lit.push_back({.lit = Lit::mixed});
   if (look_.mixes) lit.push_back({.lit = Lit::at_pixel});
   if (look_.off_map) lit.push_back({.lit = Lit::at_pixel, .off_map = true});
 
@@ -112,22 +83,16 @@ std::vector<SkinVariant> SkinShading::variants() const {
   return all;
 }
 
-SkinVariant SkinShading::variant_of(const Instance& instance, const GpuDraw& draw,
+SkinVariant SkinShading::variant_of(const FrameData& frame, const GpuDraw& draw,
                                     const GpuMaterial& material) const {
-  return {.lit = draw.on_map ? lit_of(instance) : SkinVariant::Lit::at_pixel,
+  return {.lit = draw.on_map ? lit_of(frame) : SkinVariant::Lit::at_pixel,
           .off_map = !draw.on_map,
           .kind = {.cut_out = material.cut_out, .emits = material.emits, .detailed = material.detailed}};
 }
 
-SkinVariant::Lit SkinShading::lit_of(const Instance& instance) const {
-  bool mixed = look_.terms.coarse || look_.unscattered, mapped = false;
-  for (std::size_t i = 0; i < look_.weights.size(); ++i) {
-    const float share = share_of(i, instance);
-    mixed = mixed || share > 0;
-    mapped = mapped || share < 1;
-  }
-  if (!mapped) return SkinVariant::Lit::at_pixel;
-  return mixed ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
+SkinVariant::Lit SkinShading::lit_of(const FrameData& frame) const {
+  if (look_.weights.empty() || !terms_of(frame, look_.square).any) return SkinVariant::Lit::at_pixel;
+  return look_.mixes || look_.unscattered ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
 }
 
 bool SkinShading::through(const SkinVariant& variant) const {
@@ -141,9 +106,8 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
                            {"direct", variant.lit != SkinVariant::Lit::on_map ? 1u : 0u},
                            {"environment", look_.environment ? 1u : 0u},
                            {"soft_shadows", look_.soft_shadows ? 1u : 0u},
-                           {"summed", look_.summed ? 1u : 0u},
                            {"off_map", variant.off_map ? 1u : 0u},
-                           {"coarse", look_.terms.coarse ? 1u : 0u},
+                           {"mixed", look_.mixes && variant.lit == SkinVariant::Lit::mixed ? 1u : 0u},
                            {"shape_aware", look_.terms.shape ? 1u : 0u},
                            {"cut_out", variant.kind.cut_out ? 1u : 0u},
                            {"emits", variant.kind.emits ? 1u : 0u},
@@ -160,23 +124,19 @@ void SkinShading::add_through_constants(gpu::Constants& constants) const {
 }
 
 io::FinalPassIo SkinShading::io(const FrameData& frame) const {
-  const Instance& instance = instance_of(frame, look_.square);
+  const MappedTerms mapped = terms_of(frame, look_.square);
+  const bool at_pixel = look_.weights.empty() || look_.off_map || !mapped.any;
   io::FinalPassIo io{.weights = {},
                      .map_origin = used_square(frame, look_.square).origin,
-                     .map_side = instance.map_side,
-                     .slot = 0};
-
+                     .map_side = instance_of(frame, look_.square).map_side,
+                     .slot = 0,
+                     .through_rays = at_pixel ? 1u : 0u};
   for (std::size_t i = 0; i < look_.weights.size(); ++i) {
     const auto& [r, g, b] = look_.weights[i];
-    io.weights[i] = (1 - share_of(i, instance)) * glm::vec3(r, g, b);
+    io.weights[i] = mapped.shares[i] * glm::vec3(r, g, b);
+    if (mapped.shares[i] < 1) io.through_rays = 1;
   }
   return io;
-}
-
-float SkinShading::share_of(std::size_t term, const Instance& instance) const {
-  if (!look_.mixes) return 0;
-  return share_at_pixel(look_.terms.sigmas_mm[term], look_.texels_per_mm, look_.terms.largest_side,
-                        instance.map_side);
 }
 
 void SkinShading::offer_maps(Bindings& bindings, const frame::Resources& resources,

@@ -14,6 +14,10 @@ struct SplitSkin {
   vec3 rest;     // what is not blurred: light lit at the pixel, reflection, emission
 };
 
+SplitSkin mean_of(SplitSkin a, SplitSkin b) {
+  return SplitSkin(0.5 * (a.light + b.light), 0.5 * (a.leaving + b.leaving), 0.5 * (a.rest + b.rest));
+}
+
 // blurred: the share of the light. Where skin occludes a lobe of its reflection, it reflects light that has
 // not been blurred. The parts can be stored in half floats.
 SplitSkin skin_split(ShadingPoint s, vec2 unwrap, vec3 blurred) {

@@ -25,7 +25,7 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
             &library.graphics({.vertex = "final_pass.vert",
                                .fragment = "unshaded_reads.frag",
                                .constants = {{"cut_out", cut_out ? 1u : 0u},
-                                             {"coarse", settings.terms.coarse ? 1u : 0u},
+                                             {"mixed", settings.mixes ? 1u : 0u},
                                              {"shape_aware", settings.terms.shape ? 1u : 0u}},
                                .depth_format = depth_format,
                                .samples = settings.samples,
@@ -36,7 +36,7 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
 
 // Returns the first map that the head reads.
 frame::TextureId UnshadedReads::first_read(const FrameData& frame, const MapSquare& square) const {
-  return in.lights.size() == 1 ? in.lights.front() : in.lights[terms_of(frame, square).first_read];
+  return in.lights[terms_of(frame, square).first_read];
 }
 
 bool UnshadedReads::reads(const FrameData& frame, const MapSquare& square) const {
@@ -62,8 +62,11 @@ void UnshadedReads::draw_square(gpu::Cmd& cmd, const frame::Resources& resources
       .add("light_0", resources.nearest(first_read(frame, read)))
       .add("Terms", terms_)
       .add("Counters", resources.buffer(in.counters));
-  const io::FinalPassIo io{
-      .weights = {}, .map_origin = square.origin, .map_side = square.side, .slot = settings.slot};
+  const io::FinalPassIo io{.weights = {},
+                           .map_origin = square.origin,
+                           .map_side = square.side,
+                           .slot = settings.slot,
+                           .through_rays = 0};
 
   draw_skin(
       cmd, instance, mesh, bindings,

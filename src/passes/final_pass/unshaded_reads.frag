@@ -19,7 +19,7 @@ layout(location = 4) in vec4 in_colour;
 layout(location = 5) centroid in vec2 in_unwrap;
 layout(location = 8) in float in_uv_per_mm;
 layout(location = 9) in vec4 in_shape;
-#include "passes/final_pass/coarse_share.glsl"
+#include "passes/final_pass/map_share.glsl"
 #include "passes/final_pass/within_triangle.glsl"
 #include "passes/final_pass/light_point.glsl"
 #include "passes/final_pass/along_skin.glsl"
@@ -31,7 +31,7 @@ layout(location = 10) flat in AlongSkin in_along;
 
 void main() {
   if (cut_out && is_cut(in_uv, in_colour)) return;
-  if (coarse && coarse_share(terms.widest_mm, in_uv_per_mm) >= 1.0) return;  // nothing is read from the map
+  if (map_share(terms.widest_mm, in_uv_per_mm) == 0.0) return;  // nothing is read from the map
   vec2 from = vec2(0.0);
   if (shape_aware) {
     const vec3 n = normalize(in_normal);

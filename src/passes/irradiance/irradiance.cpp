@@ -46,7 +46,7 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
     if (!through) pipelines_[cut_out].push_back(&library.graphics(variant));
     for (const ThroughMesh& mesh : settings.through) {
       gpu::GraphicsDesc of_mesh = variant;
-      of_mesh.constants.emplace_back("through_terms", static_cast<std::uint32_t>(mesh.profile.terms.size()));
+      of_mesh.constants.emplace_back("through_terms", mesh.mapped_terms());
       of_mesh.constants.emplace_back("slab_gains", mesh.profile.shape ? 1u : 0u);
       of_mesh.constants.emplace_back("entering_stored", in.entering.valid() ? 1u : 0u);
       pipelines_[cut_out].push_back(&library.graphics(of_mesh));

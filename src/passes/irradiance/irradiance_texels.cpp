@@ -42,7 +42,7 @@ void TexelPipelines::prepare(gpu::PipelineLibrary& library, const std::string& s
     if (!through) pipelines_[cut_out].push_back(&library.compute(shader, variant));
     for (const ThroughMesh& mesh : settings.through) {
       gpu::Constants of_mesh = variant;
-      of_mesh.emplace_back("through_terms", static_cast<std::uint32_t>(mesh.profile.terms.size()));
+      of_mesh.emplace_back("through_terms", mesh.mapped_terms());
       of_mesh.emplace_back("slab_gains", mesh.profile.shape ? 1u : 0u);
       pipelines_[cut_out].push_back(&library.compute(shader, of_mesh));
     }

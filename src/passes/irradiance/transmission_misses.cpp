@@ -24,7 +24,7 @@ void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
                                        {"through_terms", 0u}}};
   pipelines_.clear();
   for (const ThroughMesh& mesh : irradiance.through) {
-    desc.constants.back().second = static_cast<std::uint32_t>(mesh.profile.terms.size());
+    desc.constants.back().second = mesh.mapped_terms();
     pipelines_.push_back(&library.graphics(desc));
   }
   samplers_ = LightingSamplers(library);

@@ -25,10 +25,11 @@ void add_object(FrameReport& report, const FrameSettings& settings, std::span<co
   };
 
   const std::uint64_t terms = part.profile.terms.size(),
-                      convolutions = 2 * steps_of(part.profile, part.max_texels_per_mm).size();
+                      convolutions = 2 * steps_of(part.profile, settings.max_texels_per_mm(part)).size();
   // With the alpha test fragments without light end early, but they start.
-  const std::uint64_t at_once = mask_of(settings) == Mask::depth ? counted(counter_masked_texels)
-                                                                 : std::uint64_t{head.side} * head.side;
+  const std::uint64_t at_once = mask_of(settings) == Mask::depth
+                                    ? counted(counter_masked_texels)
+                                    : std::uint64_t{head.detail.side} * head.detail.side;
   report.irradiance_texels += counted(counter_lit_texels);
   report.convolved_texels += counted(counter_lit_texels) * terms;
   report.launched += counted(counter_lit_texels) + at_once * convolutions;
@@ -45,7 +46,6 @@ FrameReport report(const FrameSettings& settings, std::span<const std::uint32_t>
   if (settings.optimise.depth) report.optimise.emplace_back("depth");
   if (settings.optimise.clip) report.optimise.emplace_back("clip");
   if (mask_of(settings) != Mask::none) report.mask = mask_of(settings) == Mask::alpha ? "alpha" : "depth";
-  report.blur = "chain";
   report.unshaded_reads = counters[counter_unshaded_reads];
   report.transmission_misses = counters[counter_missed_light];
 
@@ -68,7 +68,7 @@ std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const D
     for (const DrawnHead& head : drawn) {
       const Model& model = settings.models[head.model];
       const bool has_mesh = mesh >= model.first_mesh && mesh - model.first_mesh < model.meshes;
-      if (has_mesh) add(head.side);
+      if (has_mesh) add(head.detail.side);
     }
   }
   return sizes;

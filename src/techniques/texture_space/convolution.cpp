@@ -31,16 +31,16 @@ class MakeChain {
         maps_(&maps),
         mesh_(squares.front().mesh),
         squares_(squares),
-        level_(&maps.levels().front()),
-        light_{.blurred = level_->light, .start = level_->light} {}
+        light_{.blurred = maps.light(), .start = maps.light()} {}
 
   MeshSteps make() {
     const SkinPart& part = settings_->skin[mesh_];
-    const std::vector<std::size_t> groups = passes::transmission_groups(part.profile.terms.size());
+    const std::vector<std::size_t> groups = part.through_groups();
     std::size_t term = 0;
     bool term_ended = false;
 
-    for (const passes::BlurStep& step : passes::blur_steps(part.profile, part.max_texels_per_mm)) {
+    for (const passes::BlurStep& step :
+         passes::blur_steps(part.mapped(), settings_->max_texels_per_mm(part))) {
       // A group of terms begins: its transmitted light joins before its first step.
       for (std::size_t g = 1; term_ended && settings_->translucency && g < groups.size(); ++g)
         if (groups[g] == term) add_transmitted(g);
@@ -63,14 +63,14 @@ class MakeChain {
     blur.chain = passes::ChainStep{.number = number, .total_mm2 = total_mm2_};
     const std::string name = fmt::format("blur {}", number);
     const frame::TextureId stretch = maps_->stretch(mesh_), target = maps_->blurred()[term];
-    steps_.add<Blur>(name + " u", {light_.blurred, stretch, level_->scratch, level_->lit, light_.start},
+    steps_.add<Blur>(name + " u", {light_.blurred, stretch, maps_->scratch(), maps_->lit(), light_.start},
                      blur);
     blur.axis = 1;
-    steps_.add<Blur>(name + " v", {level_->scratch, stretch, target, level_->lit}, blur);
+    steps_.add<Blur>(name + " v", {maps_->scratch(), stretch, target, maps_->lit()}, blur);
     steps_.add<Gutters>(name + " gutters", {target}, {.squares = squares_, .step = number});
 
     light_.blurred = target;
-    if (!settings_->terms_by_need()) light_.start = target;
+    if (!settings_->mixes()) light_.start = target;
   }
 
   // Adds the light that the terms from here on bring through the body to what the terms before have spread;
@@ -88,7 +88,6 @@ class MakeChain {
   const LightMaps* maps_;
   std::uint32_t mesh_;
   std::vector<MapSquare> squares_;
-  const Level* level_;    // the only one
   ChainLight light_;      // what the next step blurs
   double total_mm2_ = 0;  // of all steps so far
   MeshSteps steps_;

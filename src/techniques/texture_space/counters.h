@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "passes/downsample/downsample.h"
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
@@ -13,7 +12,7 @@ namespace dermis::techniques {
 enum Counter : std::uint32_t {
   counter_unshaded_reads = screen_counters,
   counter_transmission_misses,
-  counter_squares  ///< the first of SquareCounter, which stand here for each size of the maps of each square
+  counter_squares  ///< the first of SquareCounter, which stand here for each square
 };
 
 /// Of one skin mesh of one head.
@@ -21,9 +20,8 @@ enum SquareCounter : std::uint32_t {
   counter_lit_texels,
   counter_masked_texels,
   counter_tiles,
-  counter_level_stride
+  counter_mesh_stride
 };
-inline constexpr std::uint32_t counter_mesh_stride = counter_level_stride * (passes::max_halvings + 1);
 
 /// Returns the slots of a head.
 inline std::uint32_t counter_head_stride(const FrameSettings& settings) {
@@ -33,10 +31,8 @@ inline std::size_t counter_count(const FrameSettings& settings) {
   return counter_squares + std::size_t{counter_head_stride(settings)} * settings.head_count();
 }
 inline std::uint32_t square_counter(const FrameSettings& settings, std::uint32_t head,
-                                    std::uint32_t mesh_in_model, std::uint32_t halvings,
-                                    SquareCounter which) {
-  return counter_squares + counter_head_stride(settings) * head + counter_mesh_stride * mesh_in_model +
-         counter_level_stride * halvings + which;
+                                    std::uint32_t mesh_in_model, SquareCounter which) {
+  return counter_squares + counter_head_stride(settings) * head + counter_mesh_stride * mesh_in_model + which;
 }
 
 }  // namespace dermis::techniques

@@ -30,37 +30,29 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
   return sigmas;
 }
 
-// Returns the maps that hold the light of a profile of `count` terms: one each, or that of their sum.
-std::vector<frame::TextureId> read_maps(const FrameSettings& settings, const LightMaps& maps,
-                                        std::ptrdiff_t count) {
-  if (settings.cascade) return maps.blurred();
+// Returns the maps that hold the light of a profile, one per term.
+std::vector<frame::TextureId> read_maps(const LightMaps& maps, const SkinPart& part) {
+  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size() - part.first_mapped);
   return {maps.blurred().begin(), maps.blurred().begin() + count};
 }
 
-passes::TermsOnMap terms_on_map(const FrameSettings& settings, const SkinPart& part) {
-  return {.sigmas_mm = sigmas_mm(part.profile),
-          .even_uv_per_mm = static_cast<float>(part.even_uv_per_mm),
-          .largest_side = settings.map_size,
-          .coarse = part.coarse && !settings.host_lights(),
-          .shape = part.profile.shape,
-          .mm_per_unit = part.mm_per_unit};
+passes::TermsOnMap terms_on_map(const SkinPart& part) {
+  return {
+      .sigmas_mm = sigmas_mm(part.mapped()), .shape = part.profile.shape, .mm_per_unit = part.mm_per_unit};
 }
 
 SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const passes::MapSquare& square) {
   const SkinPart& part = settings.skin[square.mesh];
-  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
   std::optional<passes::ThroughMesh> through;
-  if (settings.translucency) through = passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit};
+  if (settings.translucency) through = part.through(square.mesh);
 
   return {.look = {.square = square,
-                   .weights = weights(part.profile),
-                   .summed = settings.cascade,
+                   .weights = weights(part.mapped()),
                    .mixes = settings.mixes(),
                    .unscattered = part.unscattered != gaussians::Rgb{},
-                   .terms = terms_on_map(settings, part),
-                   .texels_per_mm = static_cast<float>(part.mean_texels_per_mm),
+                   .terms = terms_on_map(part),
                    .through = std::move(through)},
-          .maps = read_maps(settings, maps, count)};
+          .maps = read_maps(maps, part)};
 }
 
 // Returns how reads of the light of one skin mesh are counted that find no light.
@@ -68,13 +60,13 @@ frame::Member<passes::UnshadedReads> unshaded_reads_of(const FrameSettings& sett
                                                        const LightMaps& maps,
                                                        const std::vector<passes::MapSquare>& squares) {
   const SkinPart& part = settings.skin[squares.front().mesh];
-  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-  return {.in = {read_maps(settings, maps, count), screen.depth(), screen.counters()},
+  return {.in = {read_maps(maps, part), screen.depth(), screen.counters()},
           .settings = {.squares = squares,
                        .samples = settings.samples,
                        .cut_out = part.cut_out,
                        .slot = counter_unshaded_reads,
-                       .terms = terms_on_map(settings, part)}};
+                       .terms = terms_on_map(part),
+                       .mixes = settings.mixes()}};
 }
 
 }  // namespace
@@ -84,11 +76,8 @@ void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, con
   Together<passes::ScatterSum>::In sums;
   for (const passes::MapSquare& square : squares) {
     const SkinPart& part = settings.skin[square.mesh];
-    const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size());
-    sums.members.push_back({{read_maps(settings, maps, count), sum},
-                            {.square = square,
-                             .weights = settings.cascade ? std::vector(1, std::array{1.0f, 1.0f, 1.0f})
-                                                         : weights(part.profile)}});
+    sums.members.push_back(
+        {{read_maps(maps, part), sum}, {.square = square, .weights = weights(part.mapped())}});
   }
   plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
 }

@@ -32,8 +32,7 @@ passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model)
       head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
   return {.index = index,
           .cell = {index % columns(), index / columns()},
-          .side = cell_side(0),
-          .largest_side = settings_->halving_side(),
+          .side = cell_side(),
           .batch = head / settings_->heads_per_batch * mesh_batches() + mesh_in_model / meshes_per_batch()};
 }
 
@@ -50,15 +49,13 @@ std::vector<passes::MapSquare> MapPool::squares(const Batch& batch, std::uint32_
   return squares_of(*settings_, batch, first, first + meshes_per_batch());
 }
 
-std::uint32_t MapPool::cell_side(std::uint32_t halvings) const {
-  const std::uint32_t side = settings_->square_side > 0 ? settings_->square_side : settings_->map_size;
-  return passes::most_halved_side(side, settings_->halving_side(), halvings);
+std::uint32_t MapPool::cell_side() const {
+  return settings_->square_side > 0 ? settings_->square_side : settings_->map_size;
 }
 
-gpu::TextureDesc MapPool::texture(std::uint32_t halvings, VkFormat format) const {
+gpu::TextureDesc MapPool::texture(VkFormat format) const {
   const std::uint32_t rows = (squares() + columns() - 1) / columns();
-  const std::uint32_t side = cell_side(halvings);
-  return {.width = columns() * side, .height = rows * side, .format = format};
+  return {.width = columns() * cell_side(), .height = rows * cell_side(), .format = format};
 }
 
 }  // namespace dermis::techniques

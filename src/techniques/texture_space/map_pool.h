@@ -26,10 +26,9 @@ class MapPool {
   std::vector<std::vector<passes::MapPlace>> places() const;  ///< [head][mesh in its model]
   /// Of these heads and those of their skin meshes that take turn `mesh_batch`: see squares_of().
   std::vector<passes::MapSquare> squares(const Batch& batch, std::uint32_t mesh_batch) const;
-  /// Returns the side of the cell of a square in maps of these halvings, texels.
-  std::uint32_t cell_side(std::uint32_t halvings) const;
-  /// A texture that holds all squares in such maps.
-  gpu::TextureDesc texture(std::uint32_t halvings, VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const;
+  std::uint32_t cell_side() const;  ///< of the cell of a square, texels
+  /// A texture that holds all squares.
+  gpu::TextureDesc texture(VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const;
 
  private:
   std::uint32_t meshes() const { return settings_->most_meshes(); }

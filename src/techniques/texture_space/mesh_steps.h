@@ -12,11 +12,7 @@
 #include "frame/together.h"
 #include "passes/add_transmitted/add_transmitted.h"
 #include "passes/blur/blur.h"
-#include "passes/cascade/cascade.h"
-#include "passes/dilate/dilate.h"
-#include "passes/downsample/downsample.h"
 #include "passes/gutters/gutters.h"
-#include "passes/upsample/upsample.h"
 #include "techniques/texture_space/light_maps.h"
 
 namespace dermis::techniques {
@@ -35,9 +31,7 @@ class MeshSteps {
   using OneOf = std::variant<frame::Member<Passes>...>;
   struct Step {
     std::string name;
-    OneOf<passes::AddTransmitted, passes::Blur, passes::CascadeBlur, passes::CascadeSum, passes::Dilate,
-          passes::Downsample, passes::Gutters, passes::Upsample>
-        does;
+    OneOf<passes::AddTransmitted, passes::Blur, passes::Gutters> does;
   };
   static std::vector<Step> take_next(std::vector<MeshSteps>& meshes);
 

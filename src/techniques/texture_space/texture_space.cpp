@@ -9,7 +9,6 @@
 #include "passes/scatter_sum/scatter_sum.h"
 #include "passes/show_visibility/show_visibility.h"
 #include "techniques/screen.h"
-#include "techniques/texture_space/cascade.h"
 #include "techniques/texture_space/convolution.h"
 #include "techniques/texture_space/counters.h"
 #include "techniques/texture_space/final.h"
@@ -53,10 +52,10 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
                  .needs = needs,
                  .term = term};
   };
-  out.shows["irradiance"] = light(maps.levels().front().light, Shown::Needs::irradiance, 0);
-  if (s.cascade) out.shows["scattered"] = light(maps.blurred().front(), Shown::Needs::irradiance, 0);
-  for (std::uint32_t k = 0; !s.cascade && k < maps.blurred().size(); ++k)
-    out.shows[fmt::format("blur:{}", k)] = light(maps.blurred()[k], Shown::Needs::term, k);
+  out.shows["irradiance"] = light(maps.light(), Shown::Needs::irradiance, 0);
+  for (std::uint32_t k = 0; k < maps.blurred().size(); ++k)
+    out.shows[fmt::format("blur:{}", s.skin[square.mesh].first_mapped + k)] =
+        light(maps.blurred()[k], Shown::Needs::term, k);
 
   out.shows["stretch"] = {.map = maps.stretch(square.mesh)};
   out.shows["texel-density"] = {.map = maps.stretch(square.mesh), .as = Shown::As::texel_density};
@@ -67,7 +66,7 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
 // Makes the map of a host that reads the blurred light; not valid if there is none.
 frame::TextureId make_scattered(passes::FramePlan& plan, const FrameSettings& s, const MapPool& pool) {
   if (!s.host || !s.host->scattered) return {};
-  gpu::TextureDesc desc = pool.texture(0);
+  gpu::TextureDesc desc = pool.texture();
   desc.layers = pool.batches();
   desc.array = true;
   return plan.texture("scattered light", desc, frame::Lifetime::persistent);
@@ -111,10 +110,7 @@ FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s
       maps->begin_turn(batch.number * turns + turn);
       if (pool.splits_heads()) maps->add_stretch(squares);
       maps->add_light(squares);
-      if (s.cascade)
-        add_cascade(plan, s, *maps, squares);
-      else
-        add_convolution(plan, s, *maps, squares);
+      add_convolution(plan, s, *maps, squares);
       if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, squares);
       add_final(plan, s, screen, *maps, squares);
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lab.h"
 
-#include "lab_cascade.h"
-
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -180,22 +178,8 @@ Result run(const Experiment& e) {
   std::vector<frame::TextureId> levels;
   frame::TextureId light = painted;
   bool first = true;
-  passes::MappedTerms terms;
-  std::uint32_t coarsest = 0;
-  if (e.cascade) {
-    LabCascade cascade(plan, e, skin[0], painted, stretch);
-    for (std::uint32_t n = 1; n <= cascade.coarsest(); ++n)
-      if (e.gutters)
-        gpu_scene.make_gutters(bench()->device, 0, skin[0], side >> n,
-                               passes::gutter_width(profile, density / (1u << n)));
-    levels.push_back(cascade.add());
-    plan.read_back(levels.front());
-    terms = cascade.terms();
-    coarsest = cascade.coarsest();
-  }
 
-  for (const passes::BlurStep& step :
-       e.cascade ? std::vector<passes::BlurStep>{} : passes::blur_steps(e.variances_mm2, density)) {
+  for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
     const double v = step.variance_mm2 * e.variance_factor;
     const frame::TextureId target = plan.texture("level", desc);
     plan.add<passes::Blur>("u", {light, stretch, scratch},
@@ -211,11 +195,6 @@ Result run(const Experiment& e) {
 
   passes::FrameData data;
   data.instances = {instance_of(gpu_scene, look, side)};
-  if (e.cascade) {
-    data.instances[0].map_places = {{.side = side, .largest_side = passes::careful_largest_side(side)}};
-    data.instances[0].mapped_terms = {terms};
-  }
-
   std::optional<Moved> moved;
   if (e.pose) {
     gpu_scene.make_rig(bench()->device, e.scene, skin);
@@ -226,7 +205,7 @@ Result run(const Experiment& e) {
 
   frame::Executor executor(bench()->library, plan);
   executor.draw(data, frame::whole_frame);
-  Result result{.painted = read(executor, painted), .levels = {}, .coarsest = coarsest};
+  Result result{.painted = read(executor, painted), .levels = {}};
   for (const frame::TextureId id : levels) result.levels.push_back(read(executor, id));
   return result;
 }

@@ -37,22 +37,11 @@ struct Experiment {
   /// The scene's rig takes this pose on the device.
   std::optional<scene::PosedRig> pose{};
   bool keep_metric = false;  ///< a deliberate mistake: the metric stays that of the scene as it is
-
-  /// Blurs by the cascade of the product: Result::levels is then the one map of the sum.
-  bool cascade = false;
-  std::vector<std::array<double, 3>> weights;  ///< with `cascade`, one per variance; none: all 1
-  /// Deliberate mistakes of the cascade: the variance of moving between maps is forgotten, terms lie on a
-  /// level of half as many texels.
-  bool forget_moves = false, wrong_level = false;
-  /// A deliberate mistake: smaller maps take all light, however few texels there are.
-  bool holds_all = false;
-  double level_density = 1;  ///< levels are chosen for skin with so many times its texels per mm
 };
 
 struct Result {
   Map painted;
-  std::vector<Map> levels;     ///< one a variance; of a cascade the sum
-  std::uint32_t coarsest = 0;  ///< of a cascade: how often its smallest map is halved
+  std::vector<Map> levels;  ///< one a variance
 };
 
 /// False if there is no Vulkan device: tests then skip.

@@ -44,18 +44,6 @@ Damping damping(const lab::Result& r, std::size_t level, double wanted) {
   return d;
 }
 
-// Returns by how much the sum damps a band.
-double in_cascade(lab::Experiment& e, std::uint32_t band) {
-  const std::array shares{0.2, 0.2, 0.6};
-  double wanted = 0;
-  e.cascade = true;
-  for (std::size_t i = 0; i < variances.size(); ++i) {
-    e.weights.push_back({shares[i], shares[i], shares[i]});
-    wanted += shares[i] * std::exp(-variances[i] * band * (band + 1) / (2 * radius_mm * radius_mm));
-  }
-  return wanted;
-}
-
 TEST(SmallSphere, EachBandIsDamped) {
   if (!lab::available()) GTEST_SKIP() << "no Vulkan device";
   for (const std::uint32_t band : {1u, 2u, 4u})
@@ -68,30 +56,6 @@ TEST(SmallSphere, EachBandIsDamped) {
         EXPECT_LT(d.worst, 0.03) << "band " << band << ", variance " << variances[i];
       }
     }
-}
-
-// The sum of the cascade: bands are damped by the weighted mean of what each term damps by.
-TEST(SmallSphere, TheCascadeDampsEachBand) {
-  if (!lab::available()) GTEST_SKIP() << "no Vulkan device";
-  for (const std::uint32_t band : {1u, 2u, 4u})
-    for (const glm::vec3 axis : {glm::vec3(0, 1, 0), glm::vec3(1, 2, -0.5f)}) {
-      lab::Experiment e = sphere_experiment(band, axis);
-      const double wanted = in_cascade(e, band);
-      const lab::Result r = lab::run(e);
-      EXPECT_GE(r.coarsest, 2u);
-      const Damping d = damping(r, 0, wanted);
-      EXPECT_NEAR(d.fitted / wanted, 1, 0.03) << "band " << band;
-      EXPECT_LT(d.worst, 0.03) << "band " << band;
-    }
-}
-
-// Maps of all sizes have the gutters of the largest map: without them, light stops at the seams on all.
-TEST(SmallSphere, MissingGuttersOfTheCascadeAreSeen) {
-  if (!lab::available()) GTEST_SKIP() << "no Vulkan device";
-  lab::Experiment e = sphere_experiment(4, {1, 2, -0.5f});
-  const double wanted = in_cascade(e, 4);
-  e.gutters = false;
-  EXPECT_GT(damping(lab::run(e), 0, wanted).worst, 0.03);
 }
 
 // Without gutters light stops at the seams; the test must see that.

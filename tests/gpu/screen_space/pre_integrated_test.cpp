@@ -25,7 +25,7 @@ RenderSettings tabled(int width, int height) {
   s.output.width = width;
   s.output.height = height;
   s.output.bloom = 0;
-  s.quality.samples = 1;
+  s.quality.samples = s.quality.light_samples = 1;
   s.quality.shadow_size = 2048;
   s.lighting.ambient = 0;
   s.lighting.specular = false;

@@ -74,6 +74,7 @@ TEST(BodyLabels, TheLightMapIsLitWhereSkinIsSeen) {
   const Scene scene = wrap(scene::sphere(0.08));
   RenderSettings s = from_the_front();
   s.output.show = "irradiance";
+  s.quality.depth = false;
   const Picture map = renderer().render(scene, s);
   const Labels l = labels_of(scene);
 

@@ -42,16 +42,6 @@ RenderSettings furnace_settings(const std::string& technique, bool specular) {
   return s;
 }
 
-RenderSettings with_cascade(RenderSettings s) {
-  s.quality.blur = BlurOrder::cascade;
-  return s;
-}
-
-RenderSettings with_chain(RenderSettings s) {
-  s.quality.blur = BlurOrder::chain;
-  return s;
-}
-
 RenderSettings unoptimised(RenderSettings s) {
   s.quality.cull = s.quality.depth = s.quality.clip = false;
   return s;

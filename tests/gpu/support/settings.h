@@ -27,10 +27,6 @@ RenderSettings under_lamps_alone(RenderSettings settings);
 /// small_settings() in a furnace.
 RenderSettings furnace_settings(const std::string& technique, bool specular);
 
-/// With the cascade of blurs, or the chain, whatever is the default for a head.
-RenderSettings with_cascade(RenderSettings settings);
-RenderSettings with_chain(RenderSettings settings);
-
 /// Nothing is left out because it is not seen.
 RenderSettings unoptimised(RenderSettings settings);
 

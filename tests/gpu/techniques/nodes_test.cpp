@@ -122,6 +122,7 @@ TEST(Nodes, SkinOfManyNodesIsDrawnInBatchesUnderTheBudget) {
   RenderSettings s = tiny_settings();
   s.output.width = s.output.height = 64;
   s.quality.map_size = 32;
+  s.quality.depth = false;
   s.skin.translucency = false;
   s.quality.map_budget_mb = 0.8;  // eight squares
   const Statistics st = renderer().render(wrap(skin_balls(65)), s).statistics;

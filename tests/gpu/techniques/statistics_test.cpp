@@ -129,9 +129,6 @@ TEST(FrameStatistics, JsonHasTheKeysThatAreAContract) {
     const bool has_maps = techniques::find_technique(technique).has_light_maps;
     EXPECT_EQ(j.at("optimise"),
               has_maps ? nlohmann::json({"cull", "depth", "clip"}) : nlohmann::json::array());
-    EXPECT_EQ(j.at("blur"), !has_maps                  ? nlohmann::json()
-                            : technique == "published" ? nlohmann::json("chain")
-                                                       : nlohmann::json("cascade"));
     EXPECT_EQ(j.at("mask").is_string(), has_maps);
 
     EXPECT_EQ(j.at("size"), nlohmann::json({128, 128}));

@@ -69,22 +69,7 @@ std::vector<Way> ways() {
   return {{"AsIs", [](RenderSettings&) {}},
           {"Unoptimised", [](RenderSettings& s) { s = unoptimised(s); }},
           {"Translucent", [](RenderSettings& s) { s.skin.translucency = true; }},
-          {"Chain",
-           [](RenderSettings& s) {
-             s = with_chain(s);
-             s.skin.translucency = true;
-           }},
-          {"Cascade",
-           [](RenderSettings& s) {
-             s = with_cascade(s);
-             s.skin.translucency = true;
-           }},
           {"ShadedInCompute", [](RenderSettings& s) { s.quality.shading = Shading::compute; }},
-          {"AllInCompute",
-           [](RenderSettings& s) {
-             s = with_cascade(s);
-             s.quality.shading = Shading::compute;
-           }},
           {"ClippedOnly",
            [](RenderSettings& s) {
              s.quality.cull = s.quality.depth = false;
@@ -175,6 +160,7 @@ TEST(TexelPicturesOf, SeveralMaterials) {
 // The skin meshes of a head take turns with one square: each turn lists the texels of another unwrap.
 TEST(TexelPicturesOf, MeshesThatTakeTurns) {
   RenderSettings s = settings_at(3);
+  s.quality.depth = false;
   s.quality.map_budget_mb = 7;
   const Scene scene = wrap(several_materials());
   expect_same(scene, s);

@@ -89,7 +89,7 @@ class Frames {
     const gpu::Texture& texture = executor_->resources().texture(shown.map);
     const auto bytes = gpu::read_back(bench()->device, texture, executor_->layout_of(shown.map));
     std::vector<float> values;
-    const auto side = static_cast<std::size_t>(setup_.heads[0].map_side);
+    const auto side = static_cast<std::size_t>(setup_.heads[0].detail.side);
     for (std::size_t y = 0; y < side; ++y)
       for (std::size_t x = 0; x < 4 * side; ++x) {
         std::uint16_t half = 0;
@@ -300,6 +300,8 @@ TEST_F(Texels, MapIsDrawnAgainOnlyForAnotherSide) {
   const auto scene = std::make_shared<scene::Scene>(built_in_head());
   RenderSettings s = small();
   s.quality.depth = true;
+  s.quality.map_size = 512;
+  s.output.width = s.output.height = 192;
   s.camera.distance = 2;
   Frames frames(scene, s, true);
   const auto drew = [&](double distance) {
@@ -310,11 +312,11 @@ TEST_F(Texels, MapIsDrawnAgainOnlyForAnotherSide) {
   EXPECT_TRUE(drew(2));
   EXPECT_FALSE(drew(2));
   EXPECT_FALSE(drew(2.01));
-  EXPECT_TRUE(drew(6));
-  EXPECT_FALSE(drew(6));
+  EXPECT_TRUE(drew(8));
+  EXPECT_FALSE(drew(8));
   const std::vector<float> there = frames.light();
   EXPECT_TRUE(drew(2));
-  EXPECT_TRUE(drew(6));
+  EXPECT_TRUE(drew(8));
   EXPECT_EQ(frames.light(), there);
 }
 

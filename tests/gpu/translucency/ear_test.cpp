@@ -110,6 +110,7 @@ TEST_F(Ear, TheOptimisationsAreNotMissed) {
   for (const double azimuth : {0.0, 330.0}) {  // 0: the scene's camera
     SCOPED_TRACE(azimuth);
     RenderSettings s = ear_settings();
+    s.quality.map_size = 2048;  // with 1024 the narrowest terms of the whole map are texels wide
     if (azimuth != 0) s.camera.name.clear(), s.camera.orbit_deg = {azimuth, 0};
     s = super_sampled(s, 4);
     const Picture optimised = renderer().render(*scan, s), whole = renderer().render(*scan, unoptimised(s));
@@ -118,24 +119,16 @@ TEST_F(Ear, TheOptimisationsAreNotMissed) {
   }
 }
 
-bool draws(const Picture& picture, const std::string& pass) {
-  const std::vector<PassStatistics>& passes = picture.statistics.passes;
-  return std::any_of(passes.begin(), passes.end(),
-                     [&](const PassStatistics& p) { return p.name.find(pass) != std::string::npos; });
-}
-
 // Skin that takes nothing from light before it scatters lets all of it in: a map of what enters would say so
 // texel by texel. A share that is hardly above none draws that map, and the same picture.
 TEST_F(Ear, WhereAllLightEntersNoMapSaysSo) {
   RenderSettings s = ear_settings();
-  s.quality.map_size = 512;
   s.skin.mix = 0;
   const Picture without_map = renderer().render(*scan, s);
   s.skin.mix = 1e-7;
   const Picture with_map = renderer().render(*scan, s);
 
-  EXPECT_FALSE(draws(without_map, "entering"));
-  EXPECT_TRUE(draws(with_map, "entering"));
+  EXPECT_LT(without_map.statistics.image_bytes, with_map.statistics.image_bytes);
   EXPECT_EQ(without_map.statistics.transmission_misses, 0u);
   EXPECT_GE(image::psnr_db(shown(with_map), shown(without_map)), 60);
 }

@@ -43,12 +43,9 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.technique, floor ? "lambert" : beyond ? "texture-space" : "published");
     EXPECT_EQ(v.settings.quality.skip_unseen_heads, v.key != baseline_key);
 
-    const bool cascade = v.key == cascade_key || v.key == compute_key || v.key == still_key,
-               compute = v.key == shading_key || v.key == compute_key || v.key == still_key,
-               all = v.key == optimised_key || v.key == at_edge_key || cascade || compute ||
-                     v.key == texels_key;
+    const bool compute = v.key == shading_key || v.key == compute_key || v.key == still_key,
+               all = v.key == optimised_key || v.key == at_edge_key || compute || v.key == texels_key;
     if (v.settings.technique != "published") {  // which has one way for each
-      EXPECT_EQ(v.settings.quality.blur, cascade ? BlurOrder::cascade : BlurOrder::chain);
       EXPECT_EQ(v.settings.quality.shading,
                 compute || v.key == compute_floor_key ? Shading::compute : Shading::raster);
       const std::optional<IrradianceBy> by = v.settings.quality.irradiance;
@@ -64,13 +61,9 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.quality.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
   }
 
-  EXPECT_EQ(variants_of(s).size(), 14u);
+  EXPECT_EQ(variants_of(s).size(), 13u);
   s.quality.clip_margin_mm = 0;
-  EXPECT_EQ(variants_of(s).size(), 13u) << "all is at the edge already";
-
-  EXPECT_EQ(variants_of(s, false).size(), 11u) << "no cascade";
-  for (const Variant& v : variants_of(s, false))
-    EXPECT_NE(v.settings.quality.blur, BlurOrder::cascade) << v.key;
+  EXPECT_EQ(variants_of(s).size(), 12u) << "all is at the edge already";
 }
 
 // Other programs read these; more may be added.

@@ -1,44 +1,103 @@
 // SPDX-License-Identifier: MIT
-// Which terms a map of T x T texels is made for, from the density of the scan: 1.36 texels per mm on average
-// at T_max = 1024, 2.5 where it is dense.
+// How large light maps are, and which terms they hold, from the density of the scan: 1.36 texels per mm on
+// average of a map of 1024, 2.5 where it is dense.
 #include "techniques/mapped_terms.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include "gaussians/known.h"
+#include "techniques/map_side.h"
 
 namespace dermis::techniques::test {
 namespace {
 
-FrameSettings like_the_scan() {
-  FrameSettings s{.map_size = 1024};
+// As set-up leaves it: T_max and the first term on maps are those of the unwrap.
+FrameSettings like_the_scan(std::uint32_t most_side = 2048) {
+  FrameSettings s;
   s.skin.push_back({.profile = gaussians::skin_six(),
                     .max_uv_per_mm = 2.5 / 1024,
-                    .max_texels_per_mm = 2.5,
-                    .mean_texels_per_mm = 1.36});
+                    .mean_uv_per_mm = 1.36 / 1024,
+                    .wide_mm = 1});
+  s.map_size = near_side(s.skin[0], most_side);
+  s.skin[0].first_mapped = first_mapped(s.skin[0], {s.map_size, 0});
   s.models = {{.meshes = 1}};
   s.optimise.depth = true;
   return s;
 }
 
-TEST(MappedTerms, AreFewerOnSmallerMaps) {
+TEST(MapSide, StepsAreHalfOctaves) {
+  EXPECT_EQ(sides_by_need(512), (std::vector<std::uint32_t>{512, 384, 256, 192, 128, 96, 64, 48, 32}));
+  EXPECT_EQ(sides_by_need(700), (std::vector<std::uint32_t>{700, 512, 384, 256, 192, 128, 96, 64, 48, 32}));
+  EXPECT_EQ(sides_by_need(32), (std::vector<std::uint32_t>{32}));
+}
+
+// 1.41 mm take 0.9 texels of 480 per side, 2.72 mm of 249.
+TEST(MapSide, HoldsTheWideTerms) {
   const FrameSettings s = like_the_scan();
-  for (const auto& [side, first] :
-       {std::pair(1024u, 0u), {768u, 0u}, {480u, 3u}, {256u, 4u}, {128u, 5u}, {96u, 6u}, {32u, 6u}}) {
-    const passes::MappedTerms terms = mapped_terms(s, 0, side);
-    EXPECT_EQ(terms.first_read, first) << side;
-    EXPECT_EQ(terms.any, first < 6) << side;
-    EXPECT_EQ(mapped_count(s, 0, side), static_cast<int>(6 - first)) << side;
-    if (!terms.any) continue;
-    // One step to a term each, and the first that is read is within one.
-    EXPECT_EQ(terms.first_step, first) << side;
-    EXPECT_EQ(terms.first_written, first) << side;
+  EXPECT_EQ(s.map_size, 512u);
+  EXPECT_EQ(s.skin[0].first_mapped, 4u);
+  EXPECT_EQ(s.skin[0].mapped().terms.size(), 2u);
+  EXPECT_EQ(like_the_scan(300).map_size, 300u) << "no more than it may have";
+  EXPECT_EQ(like_the_scan(300).skin[0].first_mapped, 4u);
+  EXPECT_EQ(like_the_scan(150).skin[0].first_mapped, 5u);
+  EXPECT_EQ(like_the_scan(32).skin[0].first_mapped, 5u) << "a map has a term";
+
+  // A scan four times as large, in mm, has four times fewer texels per mm.
+  SkinPart coarse = s.skin[0];
+  coarse.mean_uv_per_mm /= 4;
+  EXPECT_EQ(near_side(coarse, 4096), 2048u);
+  // Light that spreads no further than 0.3 mm is on maps, too.
+  SkinPart wax = s.skin[0];
+  wax.profile.terms = {{.variance_mm2 = 0.09, .weight = {1, 1, 1}}};
+  wax.wide_mm = 0.15;
+  EXPECT_EQ(near_side(wax, 4096), 3072u);
+}
+
+// From near to far: both terms, the widest, none. T never rises.
+TEST(MapSide, FollowsThePixels) {
+  const FrameSettings s = like_the_scan();
+  std::uint32_t before = s.map_size;
+  for (double pixels_per_mm = 2; pixels_per_mm > 0.01; pixels_per_mm /= 1.1) {
+    const std::uint32_t side = side_by_need(s, s.models[0], pixels_per_mm, s.map_size);
+    const bool narrow = 1.411 * pixels_per_mm > 0.6, wide = 2.722 * pixels_per_mm > 0.35;
+    EXPECT_EQ(side, narrow ? 512u : wide ? 256u : 32u) << pixels_per_mm;
+    EXPECT_LE(side, before);
+    before = side;
+    EXPECT_EQ(mapped_count(s, 0, {side, pixels_per_mm}), narrow ? 2 : wide ? 1 : 0) << pixels_per_mm;
   }
+}
+
+// Where 0.753 mm are over 2.5 pixels, and 0.432 mm, maps hold them, too.
+TEST(MapSide, IsLargerInCloseUps) {
+  const FrameSettings s = like_the_scan();
+  const auto side = [&](double pixels_per_mm) { return side_by_need(s, s.models[0], pixels_per_mm, 2048); };
+  EXPECT_EQ(side(3.2), 512u);
+  EXPECT_EQ(side(3.4), 1024u);
+  EXPECT_EQ(side(5.7), 1024u);
+  EXPECT_EQ(side(5.9), 1536u + 512u);
+  EXPECT_EQ(first_mapped(s.skin[0], {1024, 3.4}), 3u);
+  EXPECT_EQ(first_mapped(s.skin[0], {1024, 3.2}), 4u);
+  EXPECT_EQ(first_mapped(s.skin[0], {2048, 100}), 1u) << "0.08 mm are a fifth of a texel";
+}
+
+// What a term has on the map changes little from a frame to the next, also where T changes.
+TEST(MappedTerms, FadeBeforeTheyAreLeftOut) {
+  const FrameSettings s = like_the_scan();
+  std::array<float, 2> before{1, 1};
+  for (double pixels_per_mm = 3; pixels_per_mm > 0.01; pixels_per_mm /= 1.01) {
+    const MapDetail detail{side_by_need(s, s.models[0], pixels_per_mm, s.map_size), pixels_per_mm};
+    const passes::MappedTerms terms = mapped_terms(s, 0, detail);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const float share = terms.any ? terms.shares[i] : 0;
+      EXPECT_NEAR(share, before[i], 0.05) << pixels_per_mm;
+      before[i] = share;
+    }
+  }
+  EXPECT_EQ(before, (std::array<float, 2>{0, 0}));
 }
 
 TEST(MappedTerms, AreAllWhereMapsAreReadByOthers) {
@@ -46,40 +105,46 @@ TEST(MappedTerms, AreAllWhereMapsAreReadByOthers) {
   whole.optimise = {.cull = true, .depth = false, .clip = true};
   drawn_by_host.host = HostPart{.irradiance = true};
   read_by_host.host = HostPart{.scattered = true};
-  for (const FrameSettings& s : {whole, drawn_by_host, read_by_host}) {
-    EXPECT_EQ(mapped_terms(s, 0, 32), passes::MappedTerms{});
-    EXPECT_EQ(mapped_count(s, 0, 32), 6);
+  for (FrameSettings* s : {&whole, &drawn_by_host, &read_by_host}) {
+    s->skin[0].first_mapped = 0;
+    EXPECT_EQ(mapped_terms(*s, 0, {.side = 32}), passes::MappedTerms{});
+    EXPECT_EQ(mapped_count(*s, 0, {.side = 32}), 6);
   }
   // Where a host's picture is all there is, it is as in a picture of ours.
   in_host.host = HostPart{.picture = passes::PictureFormat{}};
-  EXPECT_FALSE(mapped_terms(in_host, 0, 32).any);
+  EXPECT_FALSE(mapped_terms(in_host, 0, {.side = 32}).any);
 }
 
 // Steps of totals 0.01, 0.65, 2.6, 10.4, 41.6, 100 mm^2. A quarter of the texels takes four times the sigma
 // of 0.8 mm with which the whole map begins: 10.24 mm^2.
 TEST(MappedTerms, TheChainStartsWithinReachOfOneKernel) {
   FrameSettings s = like_the_scan();
+  s.map_size = 1024;
+  s.skin[0].first_mapped = 0;
   s.skin[0].profile.terms = {{.variance_mm2 = 0.01, .weight = {0.5, 0.5, 0.5}},
                              {.variance_mm2 = 100, .weight = {0.5, 0.5, 0.5}}};
-  EXPECT_EQ(mapped_terms(s, 0, 256),
-            (passes::MappedTerms{.any = true, .first_read = 1, .first_step = 2, .first_written = 1}));
-  EXPECT_EQ(mapped_terms(s, 0, 1024), passes::MappedTerms{});
+  const passes::MappedTerms terms = mapped_terms(s, 0, {.side = 256});
+  EXPECT_TRUE(terms.any);
+  EXPECT_EQ(terms.first_read, 1u);
+  EXPECT_EQ(terms.first_step, 2u);
+  EXPECT_EQ(terms.first_written, 1u);
+  EXPECT_EQ(terms.shares[0], 0);
+  EXPECT_EQ(terms.shares[1], 1);
 }
 
 TEST(MappedTerms, NoGuttersAreMadeForMapsThatAreNotRead) {
   const FrameSettings s = like_the_scan();
   const Technique& technique = find_technique("texture-space");
-  const std::array far{DrawnHead{.side = 96}, DrawnHead{.side = 32}};
+  const std::array far{DrawnHead{.detail = {.side = 96}}, DrawnHead{.detail = {.side = 32}}};
   const std::vector<GutterSize> none = technique.gutters(s, far);
   ASSERT_EQ(none.size(), 1u);
-  EXPECT_EQ(none.front().side, 1024u) << "the stretch map alone";
+  EXPECT_EQ(none.front().side, 512u) << "the stretch map alone";
 
-  // The widest step is then the first: 7.41 mm^2 at once, three sigma of it at 2.5 / 8 texels per mm, and
-  // two.
-  const std::array one_term{DrawnHead{.side = 128}};
+  // A head that reads the widest term alone blurs by it at once: three sigma, and two texels.
+  const std::array one_term{DrawnHead{.detail = {.side = 256}}};
   const std::vector<GutterSize> made = technique.gutters(s, one_term);
   ASSERT_EQ(made.size(), 2u);
-  EXPECT_EQ(made.back().width_texels, static_cast<int>(std::ceil(3 * std::sqrt(7.41) * 2.5 / 8)) + 2);
+  EXPECT_EQ(made.back().width_texels, static_cast<int>(std::ceil(3 * std::sqrt(7.41) * 2.5 / 4)) + 2);
 }
 
 }  // namespace

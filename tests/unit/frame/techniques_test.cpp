@@ -23,27 +23,26 @@ struct Case {
 
 // Some heads of one model with some equal skin meshes.
 void set_heads(techniques::FrameSettings& s, std::uint32_t heads, std::size_t parts, bool more = false) {
-  s.skin.assign(parts, {.profile = gaussians::skin_six(), .max_texels_per_mm = 4, .mean_texels_per_mm = 4});
+  s.skin.assign(parts, {.profile = gaussians::skin_six(),
+                        .max_uv_per_mm = 4.0 / s.map_size,
+                        .mean_uv_per_mm = 4.0 / s.map_size});
   for (std::uint32_t i = 0; i < parts; ++i) s.skin[i].unwrap = s.skin[i].in_model = i;
   s.models = {{.meshes = static_cast<std::uint32_t>(parts), .has_surfaces = more, .has_blended = more}};
   s.heads.assign(heads, 0);
 }
 
-// Meshes whose blurs differ in their number of steps, and cascades in the levels on which terms end.
+// Meshes whose blurs differ in their number of steps, and in their terms on maps.
 void add_blurs_that_differ(std::vector<Case>& all) {
-  for (const bool cascade : {false, true}) {
-    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
-    set_heads(s, 2, 3);
-    s.skin[0].max_texels_per_mm = s.skin[0].mean_texels_per_mm = 1;
-    s.skin[1].max_texels_per_mm = 40;
-    s.skin[2].profile.terms.resize(2);
-    s.heads_per_batch = 2;
-    s.optimise = {.cull = true, .depth = true, .clip = true};
-    s.translucency = true;
-    s.cascade = cascade;
-    all.push_back({fmt::format("{} that differ", cascade ? "cascades" : "chains"),
-                   &techniques::find_technique("texture-space"), std::move(s)});
-  }
+  techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+  set_heads(s, 2, 3);
+  s.skin[0].max_uv_per_mm = s.skin[0].mean_uv_per_mm = 1.0 / s.map_size;
+  s.skin[0].first_mapped = 4;
+  s.skin[1].max_uv_per_mm = 40.0 / s.map_size;
+  s.skin[2].profile.terms.resize(2);
+  s.heads_per_batch = 2;
+  s.optimise = {.cull = true, .depth = true, .clip = true};
+  s.translucency = true;
+  all.push_back({"chains that differ", &techniques::find_technique("texture-space"), std::move(s)});
 }
 
 std::vector<Case> cases() {
@@ -84,7 +83,7 @@ std::vector<Case> cases() {
   techniques::FrameSettings parts{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
   parts.meshes_per_batch = 2;
   parts.optimise = {.cull = true, .depth = true, .clip = true};
-  parts.translucency = parts.cascade = true;
+  parts.translucency = true;
   set_heads(parts, 1, 3);
   all.push_back(
       {"2 of 3 skin parts at a time", &techniques::find_technique("texture-space"), std::move(parts)});
@@ -101,7 +100,7 @@ std::vector<Case> cases() {
     s.heads = {0, 1, 2, 0, 1};
     s.heads_per_batch = heads_per_batch;
     s.optimise = {.cull = true, .depth = true, .clip = true};
-    s.translucency = s.cascade = true;
+    s.translucency = true;
     all.push_back({fmt::format("three models, {} heads at a time", heads_per_batch),
                    &techniques::find_technique("texture-space"), std::move(s)});
   }
@@ -178,7 +177,7 @@ TEST(TechniqueFrames, GrowByThePassOfLabels) {
 // As published, one head goes through all of them after the other.
 TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
   for (const techniques::Technique* technique : techniques::techniques())
-    for (const bool cascade : {false, true}) {
+    for (const bool translucency : {false, true}) {
       if (technique->as_published) continue;
       const auto passes_of = [&](std::uint32_t heads, std::uint32_t models) {
         techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
@@ -191,7 +190,7 @@ TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
         for (std::uint32_t head = 0; head < heads; ++head) s.heads[head] = head % models;
         s.heads_per_batch = heads;
         s.optimise = {.cull = true, .depth = true, .clip = true};
-        s.translucency = s.cascade = cascade;
+        s.translucency = translucency;
 
         passes::FramePlan plan;
         technique->build(plan, s);
@@ -199,7 +198,7 @@ TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
         for (const PassNode& pass : plan.passes()) names.push_back(pass.name);
         return names;
       };
-      EXPECT_EQ(passes_of(64, 6), passes_of(1, 1)) << technique->name << cascade;
+      EXPECT_EQ(passes_of(64, 6), passes_of(1, 1)) << technique->name << translucency;
     }
 }
 
@@ -208,7 +207,7 @@ TEST(TechniqueFrames, ChainsThatDifferTakeTheirCommonStepsTogether) {
   const auto blurs = [](const std::vector<double>& densities, std::size_t terms_of_last) {
     techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
     set_heads(s, 1, densities.size());
-    for (std::size_t i = 0; i < densities.size(); ++i) s.skin[i].max_texels_per_mm = densities[i];
+    for (std::size_t i = 0; i < densities.size(); ++i) s.skin[i].max_uv_per_mm = densities[i] / s.map_size;
     s.skin.back().profile.terms.resize(terms_of_last);
     passes::FramePlan plan;
     techniques::find_technique("texture-space").build(plan, s);
@@ -221,18 +220,15 @@ TEST(TechniqueFrames, ChainsThatDifferTakeTheirCommonStepsTogether) {
   EXPECT_EQ(blurs({4, 4}, 2), blurs({4}, 6));
 }
 
-// The lists of tiles of full size are cleared for all meshes at once.
-TEST(TechniqueFrames, ListTheTilesOfFullSizeOnce) {
-  for (const bool cascade : {false, true}) {
-    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
-    set_heads(s, 1, 2);
-    s.skin[1].max_texels_per_mm = 40;
-    s.optimise = {.cull = true, .depth = true, .clip = true};
-    s.cascade = cascade;
-    passes::FramePlan plan;
-    techniques::find_technique("texture-space").build(plan, s);
-    EXPECT_EQ(std::ranges::count(plan.passes(), "clear tiles", &PassNode::name), 1) << cascade;
-  }
+// The lists of tiles are cleared for all meshes at once.
+TEST(TechniqueFrames, ListTheTilesOnce) {
+  techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+  set_heads(s, 1, 2);
+  s.skin[1].max_uv_per_mm = 40.0 / s.map_size;
+  s.optimise = {.cull = true, .depth = true, .clip = true};
+  passes::FramePlan plan;
+  techniques::find_technique("texture-space").build(plan, s);
+  EXPECT_EQ(std::ranges::count(plan.passes(), "clear tiles", &PassNode::name), 1);
 }
 
 std::uint64_t texture_bytes(const FrameGraph& plan) {
@@ -249,7 +245,7 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
           .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3};
       set_heads(s, 4, 1);
       s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
-      s.translucency = s.cascade = more;
+      s.translucency = more;
 
       const techniques::Technique& technique = techniques::find_technique("texture-space");
       const auto bytes = [&](std::uint32_t heads_per_batch) {
@@ -260,26 +256,23 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
       };
       const techniques::MapMemory memory = techniques::map_memory(technique, s);
       EXPECT_EQ(bytes(4) - bytes(1), 3 * (memory.light_maps + memory.shadow_maps))
-          << (sparse ? "tiles" : "whole squares") << ", translucency and cascade " << more;
+          << (sparse ? "tiles" : "whole squares") << ", translucency " << more;
     }
 }
 
 // Light maps of two parts at a time take the same memory however many parts follow one another.
 TEST(TechniqueFrames, PartsTakeTurnsWithTheirMaps) {
-  for (const bool cascade : {false, true}) {
-    const auto plan_of = [&](std::size_t parts) {
-      techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
-      s.meshes_per_batch = 2;
-      s.optimise = {.cull = true, .depth = true, .clip = true};
-      s.translucency = true;
-      s.cascade = cascade;
-      set_heads(s, 1, parts);
-      passes::FramePlan plan;
-      techniques::find_technique("texture-space").build(plan, s);
-      return plan;
-    };
-    EXPECT_EQ(texture_bytes(plan_of(100)), texture_bytes(plan_of(4))) << cascade;
-  }
+  const auto plan_of = [&](std::size_t parts) {
+    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+    s.meshes_per_batch = 2;
+    s.optimise = {.cull = true, .depth = true, .clip = true};
+    s.translucency = true;
+    set_heads(s, 1, parts);
+    passes::FramePlan plan;
+    techniques::find_technique("texture-space").build(plan, s);
+    return plan;
+  };
+  EXPECT_EQ(texture_bytes(plan_of(100)), texture_bytes(plan_of(4)));
 }
 
 }  // namespace

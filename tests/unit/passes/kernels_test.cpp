@@ -45,55 +45,5 @@ TEST(Kernels, TableRowsAreWhatTheShaderReads) {
   EXPECT_NEAR(table[row * floats + kernel_radius + 1], 1, 1e-5);
 }
 
-// The kernel that the shader makes of q.
-std::vector<double> of_ratio(double q, int radius) {
-  std::vector<double> k(static_cast<std::size_t>(radius) + 1);
-  double total = 0;
-  for (int i = 0; i <= radius; ++i) {
-    k[static_cast<std::size_t>(i)] = i == 0 ? 1 : std::pow(q, i * i);
-    total += (i == 0 ? 1 : 2) * k[static_cast<std::size_t>(i)];
-  }
-  for (double& w : k) w /= total;
-  return k;
-}
-
-double variance_of(const std::vector<double>& k) {
-  double v = 0;
-  for (std::size_t i = 1; i < k.size(); ++i) v += 2.0 * static_cast<double>(i * i) * k[i];
-  return v;
-}
-
-// Kernels of a cascade have the variance of the Gaussian, with few taps and between two entries of the table
-// too; narrow ones as far as five taps can.
-TEST(Kernels, RatiosKeepTheVariance) {
-  const std::vector<float> table = ratio_table();
-  ASSERT_EQ(table.size(), 3u * 2u * RATIO_CELLS);
-  for (double at = 0.3; at < RATIO_CELLS; at += 0.7) {
-    const int cell = static_cast<int>(at);
-    const double sigma = RATIO_MAX_SIGMA * at / RATIO_CELLS, f = at - cell;
-    const int taps = 1 + cell / RATIO_CELLS_PER_TAP;
-    const auto ratio = [&](std::size_t number) {
-      const std::size_t i = 2 * (number * RATIO_CELLS + static_cast<std::size_t>(cell));
-      return table[i] + f * (table[i + 1] - table[i]);
-    };
-    const double averaged = texel_averaged_variance(sigma);
-    EXPECT_NEAR(variance_of(of_ratio(ratio(0), taps)), sigma * sigma, 2e-4) << sigma;
-    EXPECT_NEAR(variance_of(of_ratio(ratio(1), taps)), averaged, 2e-4) << sigma;
-    if (sigma > 1.3) continue;
-    EXPECT_NEAR(variance_of(of_ratio(ratio(2), NARROW_RADIUS)), averaged, 2e-4) << sigma;
-  }
-}
-
-// Taps that fall off as q^(k^2) are those of the Gaussian itself, where it is not cut.
-TEST(Kernels, RatiosMakeGaussians) {
-  for (const double sigma : {0.6, 1.0, 1.5, 2.0}) {
-    const int taps = static_cast<int>(std::ceil(8.0 / 3 * sigma));
-    const std::vector<double> k = of_ratio(ratio_of_variance(sigma * sigma, taps), taps);
-    const HalfKernel whole = discrete_gaussian(sigma);
-    for (std::size_t i = 0; i < whole.size(); ++i)
-      EXPECT_NEAR(i < k.size() ? k[i] : 0, whole[i], 0.006) << sigma << ", tap " << i;
-  }
-}
-
 }  // namespace
 }  // namespace dermis::passes

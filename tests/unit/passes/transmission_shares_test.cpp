@@ -20,6 +20,29 @@ TEST(TransmissionShares, GroupsTakeTheNarrowTermsTogether) {
   EXPECT_EQ(transmission_groups(8), (Firsts{0, 3, 6}));
 }
 
+// Terms that are lit at the pixel are a group of their own, so that no mean holds a part of each.
+TEST(TransmissionShares, TermsAtThePixelAreNotMixedWithThoseOnMaps) {
+  EXPECT_EQ(transmission_groups(6, 4), (Firsts{0, 4}));
+  EXPECT_EQ(transmission_groups(6, 3), (Firsts{0, 3, 5}));
+  EXPECT_EQ(transmission_groups(8, 2), (Firsts{0, 2, 5}));
+  EXPECT_EQ(mapped_groups(6, 4), (Firsts{0}));
+  EXPECT_EQ(mapped_groups(8, 2), (Firsts{0, 3}));
+  EXPECT_EQ(mapped_groups(6, 0), (Firsts{0, 2, 4}));
+
+  // Maps and pixels share the light of each term out alike.
+  const gaussians::SumOfGaussians profile = gaussians::skin_six();
+  const io::TransmissionIo all = transmission_io(profile, 1000, 3),
+                           maps = mapped_transmission_io(profile, 1000, 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(all.group[3 + i], maps.group[i] + 1);
+    EXPECT_EQ(all.falloff_per_m2[3 + i], maps.falloff_per_m2[i]);
+  }
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_EQ(all.group_weight[1][c], maps.group_weight[0][c]);
+    EXPECT_EQ(all.gain[5][c], maps.gain[5][c]);
+  }
+}
+
 // The final sum weighs what term i has gathered: everything that joined at groups that begin at or before it.
 void expect_exact(const gaussians::SumOfGaussians& profile) {
   const io::TransmissionIo io = transmission_io(profile, 1000);
