@@ -4,8 +4,8 @@
 # prints a row of a Markdown table per cell: the median frame of each in ms, and their ratio.
 #
 #   git worktree add ../before COMMIT; (cd ../before && ./run build)
-#   NEW_OPTIONS="--blur cascade" tools/bench_against.sh ../before/build/release/dermis build/release/dermis \
-#     --size 960x600 --map-size 1024 --shadow-size 1024
+#   NEW_OPTIONS="--light-samples 1" tools/bench_against.sh \
+#     ../before/build/release/dermis build/release/dermis --size 960x600 --map-size 1024 --shadow-size 1024
 #
 #   OPTION...    of both programs; those of `dermis render`
 #   SCENE        glTF file (default assets/heads/lee-perry-smith.gltf)

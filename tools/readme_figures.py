@@ -57,8 +57,8 @@ def techniques():
         "",
         "Error: relMSE of linear light against `dermis reference`, less its noise; software: "
         f"{error['device']}, 2 cores; the scan under one hard light from the side, 240 x 270 pixels "
-        "([record](docs/results/techniques-scan-side-software.json)). H100: the scan near, 960 x 600 pixels, "
-        "light maps of 1024 texels, nothing kept between frames ([record](docs/results/nvidia-h100.json)).",
+        "([record](docs/results/techniques-scan-side-software.json)). H100, 0.2.0: the scan near, "
+        "960 x 600 pixels, maps of 1024 texels, nothing kept ([record](docs/results/nvidia-h100.json)).",
         "",
         f"**What is against us first.** In this picture the nearest is `{nearest[0]}`, then `{nearest[1]}` "
         f"and `{nearest[2]}`; light from outside the picture or from behind an occluder is "
@@ -73,7 +73,7 @@ def speed_ups():
     kept = {f["name"]: f["frame_ms"]["median"] for f in gpu["frames_kept_shadows"]}
     with_ms, without_ms = kept["near-1-sample"], kept["near-1-sample-lambert"]
     return [
-        f"On an H100 one near head takes {with_ms:.2f} ms where the frame without scattering takes "
+        f"On an H100 one near head of 0.2.0 takes {with_ms:.2f} ms where the frame without scattering takes "
         f"{without_ms:.2f} (one sample per pixel, shadow maps kept): scattering is "
         f"{100 * (1 - without_ms / with_ms):.0f} % of the frame.",
         "",

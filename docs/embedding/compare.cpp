@@ -61,7 +61,6 @@ bool compare(const std::string& path, std::uint64_t frame) {
   settings.camera.matrices = stage::camera(frame, found.width, found.height);
   settings.output.width = static_cast<int>(found.width);
   settings.output.height = static_cast<int>(found.height);
-  settings.quality.light_samples = 1;  // as skin that is drawn into the targets of an engine has
 
   const dermis::Picture both = renderer.render(stage.scene, settings);
   const auto only = [&](dermis::InstanceId shown, dermis::InstanceId hidden) {

@@ -127,6 +127,7 @@ dermis::RenderSettings settings() {
   dermis::RenderSettings s;
   s.lighting.ambient = 0;  // the lamp alone, so that the host's shading stays short
   s.quality.map_size = 256;
+  s.quality.depth = false;  // an engine that shades skin reads all of its light from the maps
   s.quality.shadow_size = 512;
   s.quality.samples = 1;
   s.output.exposure_ev = 0;

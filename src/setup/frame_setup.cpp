@@ -360,7 +360,7 @@ void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& set
   for (const techniques::SkinPart& part : setup.plan.skin)
     if (!worst || widest_texels(part) < widest_texels(*worst)) worst = &part;
   if (!worst || !setup.plan.mixes() || !setup.technique->has_light_maps) return;
-  if (widest_texels(*worst) > 0.35) return;  // map_share.glsl
+  if (widest_texels(*worst) > 0.15) return;
 
   const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
   const Subject& subject = *subjects[source.instance];

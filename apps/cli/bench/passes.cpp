@@ -24,7 +24,7 @@ std::string common_name(std::string name) {
 }
 
 // By how the name of a pass begins; the first that fits. The last three are names in older records.
-constexpr std::array<std::pair<std::string_view, std::size_t>, 44> beginnings{{
+constexpr std::array<std::pair<std::string_view, std::size_t>, 40> beginnings{{
     {"shadow", 0},
     {"entering", 0},
     {"cull triangles", 1},

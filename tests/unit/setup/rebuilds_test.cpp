@@ -163,6 +163,20 @@ struct Tried {
   int values = 0, new_plans = 0;
 };
 
+// Whatever moves the camera makes a new plan where a head comes close, or is no longer: that is no row's.
+void leave_out_close_ups(techniques::FrameSettings& plan, const techniques::FrameSettings& before) {
+  if (!plan.mixes() || !before.mixes() || plan.skin.size() != before.skin.size()) return;
+  plan.map_size = before.map_size;
+  plan.square_side = before.square_side;
+  plan.heads_per_batch = before.heads_per_batch;
+  plan.meshes_per_batch = before.meshes_per_batch;
+  plan.keep_shadows = before.keep_shadows;
+  for (std::size_t i = 0; i < plan.skin.size(); ++i) {
+    plan.skin[i].map_size = before.skin[i].map_size;
+    plan.skin[i].first_mapped = before.skin[i].first_mapped;
+  }
+}
+
 /// Sets one setting after the other to each of its other values, and back.
 std::map<std::string, Tried> try_all(Frame frame) {
   const FrameSetup before = set_up_frame(frame);
@@ -173,7 +187,8 @@ std::map<std::string, Tried> try_all(Frame frame) {
     for (const auto& other : others(path, about, now)) {
       value = other;
       try {
-        const FrameSetup after = set_up_frame(frame);
+        FrameSetup after = set_up_frame(frame);
+        leave_out_close_ups(after.plan, before.plan);
         ++tried[path].values;
         if (after.plan != before.plan || after.technique != before.technique) ++tried[path].new_plans;
       } catch (const InputError&) {
