@@ -166,6 +166,10 @@ struct Tried {
 // Whatever moves the camera makes a new plan where a head comes close, or is no longer: that is no row's.
 void leave_out_close_ups(techniques::FrameSettings& plan, const techniques::FrameSettings& before) {
   if (!plan.mixes() || !before.mixes() || plan.skin.size() != before.skin.size()) return;
+  const auto same = [](const techniques::SkinPart& a, const techniques::SkinPart& b) {
+    return a.map_size == b.map_size && a.first_mapped == b.first_mapped;
+  };
+  if (std::ranges::equal(plan.skin, before.skin, same)) return;
   plan.map_size = before.map_size;
   plan.square_side = before.square_side;
   plan.heads_per_batch = before.heads_per_batch;
