@@ -146,10 +146,12 @@ struct QualitySettings {
   ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space
   BlurResolution blur_resolution = BlurResolution::full;  ///< likewise, of those that blur
   std::optional<int> taps{};  ///< of their kernels, see docs/techniques.md; none: as many as usual
-  /// distance, in sphere radii, up to which maps have their full size; none: a texel per pixel
+  /// distance, in sphere radii, at which a texel of a map of map_size is as large as a pixel; none: as it is.
+  /// Light maps take their sizes from it.
   std::optional<double> d_ref{};
   std::optional<double> clip_margin_mm{};  ///< none: as far as the profile's widest Gaussian reaches, 3 sigma
-  /// for light maps, 1e6 bytes; none: four skin meshes at T_max, at most a quarter of the device's memory
+  /// for light maps, 1e6 bytes; none: four skin meshes at T_max or 512e6, at most a quarter of the device's
+  /// memory
   std::optional<double> map_budget_mb{};
 };
 

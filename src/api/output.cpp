@@ -271,7 +271,7 @@ void read_picture(Picture& picture, frame::GraphExecutor& executor, const techni
   const gpu::TextureDesc& desc = executor.resources().texture(shown.map).desc();
   picture.width = static_cast<int>(desc.width);
   picture.height = static_cast<int>(desc.height);
-  picture.linear_rgba = values_of(read(shown.map, shown.layer), shown.as, desc.width);
+  picture.linear_rgba = values_of(read(shown.map, shown.layer), shown.as, setup.plan.map_size);
   if (shown.used_square) crop(picture, shown.origin, static_cast<int>(setup.heads.back().detail.side));
   picture.display_rgba = display_values(picture.linear_rgba, shown.as == techniques::Shown::As::light);
 }

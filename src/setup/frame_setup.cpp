@@ -10,7 +10,6 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "core/log.h"
-#include "passes/blur/blur.h"
 #include "passes/shadow/fit.h"
 #include "scene/framing.h"
 #include "setup/background.h"
@@ -176,8 +175,8 @@ std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, cons
 // change nothing for it.
 constexpr std::uint32_t most_stretch_side = 1024;
 
-// Returns the pixels per mm from which on narrow terms show.
-double most_pixels_per_mm(const techniques::FrameSettings& plan, const techniques::Model& model) {
+// Returns pixels per mm at which no narrow term shows yet.
+double before_close_ups(const techniques::FrameSettings& plan, const techniques::Model& model) {
   double most = std::numeric_limits<double>::infinity();
   for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
     for (const gaussians::Gaussian& term : plan.skin[mesh].profile.terms) {
@@ -185,7 +184,7 @@ double most_pixels_per_mm(const techniques::FrameSettings& plan, const technique
       if (sigma_mm < plan.skin[mesh].wide_mm)
         most = std::min(most, techniques::least_sigma_pixels(plan.skin[mesh], sigma_mm) / sigma_mm);
     }
-  return most;
+  return most * (1 - 1e-6);
 }
 
 // T_max of a model is that of a near head, or of a close-up in this frame, and maps hold what shows there. So
@@ -229,7 +228,7 @@ void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subject
     techniques::MapDetail& detail = head.detail;
     const techniques::Model& model = plan.models[head.model];
     // The plan of a host must serve every view: it has no close-ups.
-    if (plan.host) detail.pixels_per_mm = std::min(detail.pixels_per_mm, most_pixels_per_mm(plan, model));
+    if (plan.host) detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
     detail.side = plan.map_size;
     if (plan.mixes())
       detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, plan.map_size);
@@ -354,24 +353,22 @@ double clip_margin_m(const FrameSetup& setup, const RenderSettings& s) {
 
 void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup) {
   const auto widest_texels = [&](const techniques::SkinPart& part) {
-    return std::sqrt(part.profile.max_variance_mm2()) * part.least_uv_per_mm * setup.plan.map_size;
+    return std::sqrt(part.profile.max_variance_mm2()) * part.least_uv_per_mm * part.map_size;
   };
   const techniques::SkinPart* worst = nullptr;
   for (const techniques::SkinPart& part : setup.plan.skin)
-    if (!worst || widest_texels(part) < widest_texels(*worst)) worst = &part;
-  if (!worst || !setup.plan.mixes() || !setup.technique->has_light_maps) return;
+    if (part.mean_uv_per_mm > 0 && (!worst || widest_texels(part) < widest_texels(*worst))) worst = &part;
+  if (!worst || !setup.plan.mixes()) return;
   if (widest_texels(*worst) > 0.15) return;
 
   const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
   const Subject& subject = *subjects[source.instance];
   warn(
       "{}: a twentieth of skin '{}' has {:.2g} texels per mm of light map or fewer: light does not scatter "
-      "there. "
-      "Texture coordinates that fill more of the square hold more, or a larger quality.map_size where that "
-      "is "
-      "what bounds the maps ({} texels are taken)",
-      subject.scene->name, subject.skin[source.mesh].name, worst->least_uv_per_mm * setup.plan.map_size,
-      setup.plan.map_size);
+      "there. Coordinates that fill more of the square hold more, or a larger quality.map_size, where that "
+      "bounds the maps ({} texels are taken)",
+      subject.scene->name, subject.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size,
+      worst->map_size);
 }
 
 std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings) {

@@ -49,7 +49,6 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
 
   const SkinPart& part = settings.skin[mesh];
   const gaussians::SumOfGaussians mapped = part.mapped();
-  terms.first_read = 0;
   for (std::size_t i = 0; i < mapped.terms.size(); ++i) {
     terms.shares[i] = mapped_share(part, std::sqrt(mapped.terms[i].variance_mm2), detail);
     if (terms.shares[i] == 0) terms.first_read = static_cast<std::uint32_t>(i) + 1;
@@ -85,8 +84,7 @@ std::vector<passes::MappedTerms> mapped_terms_of(const FrameSettings& settings, 
 int mapped_count(const FrameSettings& settings, std::uint32_t mesh, const MapDetail& detail) {
   const passes::MappedTerms terms = mapped_terms(settings, mesh, detail);
   if (!terms.any) return 0;
-  const SkinPart& part = settings.skin[mesh];
-  return static_cast<int>(part.profile.terms.size() - part.first_mapped - terms.first_read);
+  return static_cast<int>(settings.skin[mesh].mapped_count() - terms.first_read);
 }
 
 }  // namespace dermis::techniques

@@ -29,8 +29,6 @@ namespace dermis::techniques {
 
 using frame::Together;
 
-namespace {}  // namespace
-
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                           std::span<const DrawnHead>) {
   return {.skin_pixels = counters[counter_skin_pixels],

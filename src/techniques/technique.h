@@ -40,6 +40,9 @@ struct SkinPart {
   /// The terms of `profile` that light maps may hold, all from this one on; the others are lit at the pixel.
   std::uint32_t first_mapped = 0;
   gaussians::SumOfGaussians mapped() const;  ///< `profile` without the terms before
+  std::uint32_t mapped_count() const {
+    return static_cast<std::uint32_t>(profile.terms.size()) - first_mapped;
+  }
   /// Returns the groups of light through the body that maps hold, by their first term of mapped().
   std::vector<std::size_t> through_groups() const {
     return passes::mapped_groups(profile.terms.size(), first_mapped);
@@ -84,7 +87,8 @@ struct Model {
 /// Skips what is not seen. Based on: [JG08] sec. 3 to 5.
 struct Optimise {
   bool cull = false;  ///< leaves out triangles that face away from the camera
-  /// uses only as much of the maps as the head's distance needs: changes Instance::map_side, not the plan
+  /// uses only as much of the maps as the head's distance needs: changes Instance::map_side, and the plan
+  /// where a head comes close (map_side.h)
   bool depth = false;
   bool clip = false;  ///< leaves out what lies outside the picture and a margin
   bool any() const { return cull || depth || clip; }

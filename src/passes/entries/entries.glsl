@@ -69,8 +69,7 @@ PixelEntries split(uvec4 id, uint id_first, uint covered) {
   uint third = 0u;
   for (int s = 0; s < 4; ++s)
     if ((others >> s & 1u) != 0u && id[s] != id_second) third |= 1u << s;
-  if (third == 0u)
-    return PixelEntries(covered == 15u ? uvec4(id[0], id[3], 0u, 0u) : uvec4(id_first), covered);
+  if (third == 0u) return PixelEntries(uvec4(id_first, covered == 15u ? id[3] : id_first, 0u, 0u), covered);
 
   // Of four triangles two samples each.
   if (bitCount(shown) == 1 && bitCount(third) == 2) {

@@ -95,7 +95,8 @@ struct SeenSkin {
 
 // point: 0, or 1 where there are two.
 SeenSkin seen_skin(Entry entry, int point) {
-  const uint first = 3u * (point == 0 ? entry.triangle : entry.second_triangle);
+  const bool second = point == 1 && has_two_points(entry);
+  const uint first = 3u * (second ? entry.second_triangle : entry.triangle);
   const uint i = indices[first], j = indices[first + 1u], k = indices[first + 2u];
   const VertexIo a = vertex_at(i), b = vertex_at(j), c = vertex_at(k);
   const vec3 pa = world_position(a.position_m), pb = world_position(b.position_m),

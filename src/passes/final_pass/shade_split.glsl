@@ -32,14 +32,16 @@ void main() {
   const Entry entry = listed(list[place], shade.width);
   const SeenSkin seen = seen_skin(entry, 0);
   SplitSkin skin = skin_split(seen.s, seen.on.unwrap, split.blurred);
+  vec3 middle_m = seen.s.position_m;
   if (light_samples == 2) {
     const SeenSkin second = seen_skin(entry, 1);
     skin = mean_of(skin, skin_split(second.s, second.on.unwrap, split.blurred));
+    middle_m = 0.5 * (middle_m + second.s.position_m);
   }
 
   const ivec2 at = entry.at.xy;
   if (entry.at.z == 0) {
-    const float depth_m = dot(seen.s.position_m - frame.camera.eye_m, frame.camera.direction);
+    const float depth_m = dot(middle_m - frame.camera.eye_m, frame.camera.direction);
     imageStore(light_of_skin, at, vec4(skin.light, 1.0));
     imageStore(depth_of_skin, at, vec4(depth_m * split.mm_per_unit));
     imageStore(surface_of_skin, at, uvec4(packed_surface(split.head, seen.s.normal)));

@@ -32,7 +32,7 @@ std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
 
 // Returns the maps that hold the light of a profile, one per term.
 std::vector<frame::TextureId> read_maps(const LightMaps& maps, const SkinPart& part) {
-  const auto count = static_cast<std::ptrdiff_t>(part.profile.terms.size() - part.first_mapped);
+  const auto count = static_cast<std::ptrdiff_t>(part.mapped_count());
   return {maps.blurred().begin(), maps.blurred().begin() + count};
 }
 

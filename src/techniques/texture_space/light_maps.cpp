@@ -40,7 +40,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   scratch_ = plan.texture("scratch", pool_.texture());
   std::size_t terms = 0, groups = 1;
   for (const SkinPart& part : settings.skin) {
-    terms = std::max(terms, part.profile.terms.size() - part.first_mapped);
+    terms = std::max<std::size_t>(terms, part.mapped_count());
     groups = std::max(groups, part.through_groups().size());
   }
   for (std::size_t k = 0; k < terms; ++k)

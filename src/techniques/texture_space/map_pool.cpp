@@ -53,9 +53,11 @@ std::uint32_t MapPool::cell_side() const {
   return settings_->square_side > 0 ? settings_->square_side : settings_->map_size;
 }
 
-gpu::TextureDesc MapPool::texture(VkFormat format) const {
+gpu::TextureDesc MapPool::texture() const {
   const std::uint32_t rows = (squares() + columns() - 1) / columns();
-  return {.width = columns() * cell_side(), .height = rows * cell_side(), .format = format};
+  return {.width = columns() * cell_side(),
+          .height = rows * cell_side(),
+          .format = VK_FORMAT_R16G16B16A16_SFLOAT};
 }
 
 }  // namespace dermis::techniques

@@ -27,8 +27,8 @@ class MapPool {
   /// Of these heads and those of their skin meshes that take turn `mesh_batch`: see squares_of().
   std::vector<passes::MapSquare> squares(const Batch& batch, std::uint32_t mesh_batch) const;
   std::uint32_t cell_side() const;  ///< of the cell of a square, texels
-  /// A texture that holds all squares.
-  gpu::TextureDesc texture(VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT) const;
+  /// A texture, RGBA16F, that holds all squares.
+  gpu::TextureDesc texture() const;
 
  private:
   std::uint32_t meshes() const { return settings_->most_meshes(); }

@@ -53,7 +53,7 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
                  .term = term};
   };
   out.shows["irradiance"] = light(maps.light(), Shown::Needs::irradiance, 0);
-  for (std::uint32_t k = 0; k < maps.blurred().size(); ++k)
+  for (std::uint32_t k = 0; k < s.skin[square.mesh].mapped_count(); ++k)
     out.shows[fmt::format("blur:{}", s.skin[square.mesh].first_mapped + k)] =
         light(maps.blurred()[k], Shown::Needs::term, k);
 
