@@ -61,7 +61,7 @@ std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
 
 namespace {
 
-// Of the terms from `begin` on. first: of each group, counted from there.
+// Returns those of the terms from `begin` on. first: the first term of each group, counted from there.
 io::TransmissionIo constants_of(const gaussians::SumOfGaussians& profile, double mm_per_unit,
                                 std::size_t begin, std::vector<std::size_t> first) {
   const std::span<const gaussians::Gaussian> all = std::span(profile.terms).subspan(begin);

@@ -24,7 +24,7 @@ namespace {
 constexpr double few_overlap = 0.01;
 
 // Sigma of light that a picture shows to have spread, whatever its pixels: that of narrower Gaussians is not
-// told from light that has not, beside the wider ones. Truth decides it: docs/truth.md.
+// told from light that has not, beside the wider ones. Truth decides it: docs/techniques.md, "The next term".
 constexpr double wide_mm = 1;
 
 // What the heads of a model have in common.

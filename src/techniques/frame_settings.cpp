@@ -6,12 +6,6 @@
 
 namespace dermis::techniques {
 
-gaussians::SumOfGaussians SkinPart::mapped() const {
-  gaussians::SumOfGaussians sum = profile;
-  sum.terms.erase(sum.terms.begin(), sum.terms.begin() + first_mapped);
-  return sum;
-}
-
 std::uint32_t FrameSettings::draws_of(const Model& model) const {
   std::uint32_t draws = 0;
   for (std::uint32_t i = 0; i < model.meshes; ++i) draws += skin[model.first_mesh + i].draws;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How large the light maps of a head are: T.
+/// T, the side of the light maps of a head.
 #pragma once
 
 #include <cstdint>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "passes/blur/blur.h"
 #include "passes/kernels.h"
@@ -48,17 +49,17 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
   if (!settings.mixes()) return terms;
 
   const SkinPart& part = settings.skin[mesh];
-  const gaussians::SumOfGaussians mapped = part.mapped();
-  for (std::size_t i = 0; i < mapped.terms.size(); ++i) {
-    terms.shares[i] = mapped_share(part, std::sqrt(mapped.terms[i].variance_mm2), detail);
+  const std::span<const gaussians::Gaussian> mapped = part.mapped();
+  for (std::size_t i = 0; i < mapped.size(); ++i) {
+    terms.shares[i] = mapped_share(part, std::sqrt(mapped[i].variance_mm2), detail);
     if (terms.shares[i] == 0) terms.first_read = static_cast<std::uint32_t>(i) + 1;
   }
-  terms.any = terms.first_read < mapped.terms.size();
+  terms.any = terms.first_read < mapped.size();
   if (!terms.any || terms.first_read == 0) return terms;
 
   // From the irradiance, one kernel reaches as far as the first step of blur_steps() does at T_max, counted
   // in texels of this map. The chain starts with the last step within that reach.
-  const double reach_mm = passes::kernel_max_sigma / (part.max_uv_per_mm * detail.side);
+  const double reach_mm = passes::kernel_max_sigma / part.max_texels_per_mm(detail.side);
   double total_mm2 = 0;
   std::uint32_t number = 0, term = 0;
   for (const passes::BlurStep& step : passes::blur_steps(mapped, settings.max_texels_per_mm(part))) {

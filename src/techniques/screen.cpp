@@ -145,7 +145,7 @@ passes::SkinLook Screen::look_of(passes::SkinLook look) const {
 passes::SkinLook Screen::whole_look_of(const passes::MapSquare& square) const {
   const SkinPart& part = settings_.skin[square.mesh];
   passes::SkinLook look = look_of({.square = square});
-  if (settings_.translucency) look.through = passes::ThroughMesh{square.mesh, part.profile, part.mm_per_unit};
+  if (settings_.translucency) look.through = part.through(square.mesh);
   return look;
 }
 

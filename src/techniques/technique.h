@@ -39,7 +39,9 @@ struct SkinPart {
   std::uint32_t map_size = 0;
   /// The terms of `profile` that light maps may hold, all from this one on; the others are lit at the pixel.
   std::uint32_t first_mapped = 0;
-  gaussians::SumOfGaussians mapped() const;  ///< `profile` without the terms before
+  std::span<const gaussians::Gaussian> mapped() const {
+    return std::span(profile.terms).subspan(first_mapped);
+  }
   std::uint32_t mapped_count() const {
     return static_cast<std::uint32_t>(profile.terms.size()) - first_mapped;
   }
@@ -61,7 +63,9 @@ struct SkinPart {
   bool overlaps = false;       ///< many of its triangles share texels
   bool cut_out = false;        ///< some of its materials have an alpha test
   std::bitset<passes::SkinKind::count> kinds = 1;  ///< of its materials: passes::SkinLook
-  bool posed = false;                              ///< it takes poses: its metric changes from frame to frame
+  /// Returns the texels per mm of maps of this side that a twentieth of the skin exceeds.
+  double max_texels_per_mm(std::uint32_t side) const { return std::max(max_uv_per_mm * side, 1e-6); }
+  bool posed = false;  ///< it takes poses: its metric changes from frame to frame
   /// Returns how light comes through it, as skin mesh `mesh` of the plan.
   passes::ThroughMesh through(std::uint32_t mesh) const {
     return {.mesh = mesh, .profile = profile, .mm_per_unit = mm_per_unit, .first_mapped = first_mapped};
@@ -172,7 +176,7 @@ struct FrameSettings {
   bool mixes() const { return optimise.depth && !all_mapped && !host_lights() && !(host && host->scattered); }
   /// Returns the texels per mm of the part's maps of T_max that a twentieth of its skin exceeds.
   double max_texels_per_mm(const SkinPart& part) const {
-    return std::max(part.max_uv_per_mm * (part.map_size > 0 ? part.map_size : map_size), 1e-6);
+    return part.max_texels_per_mm(part.map_size > 0 ? part.map_size : map_size);
   }
   /// Returns whether ids can tell apart all skin, and whether its pixels fit in a buffer: limits of
   /// shared/entries_io.h. False for a host that draws no picture, or leaves no room for ids.

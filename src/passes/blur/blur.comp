@@ -22,8 +22,8 @@ void load_kernel(float sigma, bool averaged) {
 
 vec4 own_light(ivec2 p) { return imageLoad(light_in, p + ivec2(io.origin)); }
 
-// Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, so its map
-// always has the largest size.
+// Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, nor
+// does the size of its map.
 vec4 spread(ivec2 p, vec4 centre) {
   const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));

@@ -89,9 +89,9 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
   return steps;
 }
 
-std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
+std::vector<BlurStep> blur_steps(std::span<const gaussians::Gaussian> terms, double max_texels_per_mm) {
   std::vector<double> variances;
-  for (const gaussians::Gaussian& term : profile.terms) variances.push_back(term.variance_mm2);
+  for (const gaussians::Gaussian& term : terms) variances.push_back(term.variance_mm2);
   return blur_steps(variances, max_texels_per_mm);
 }
 

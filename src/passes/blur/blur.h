@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "frame/graph.h"
@@ -63,7 +64,7 @@ struct BlurStep {
 /// that the kernel's taps suffice, and the first is at most kernel_max_sigma texels where the map is densest
 /// (max_texels_per_mm). Adds steps where terms are further apart.
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
-std::vector<BlurStep> blur_steps(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
+std::vector<BlurStep> blur_steps(std::span<const gaussians::Gaussian> terms, double max_texels_per_mm);
 
 inline constexpr int max_gutter_width = 96;  ///< texels
 

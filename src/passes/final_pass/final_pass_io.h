@@ -12,7 +12,7 @@ struct FinalPassIo {
   uint slot;                 // of the counters, see unshaded_reads.frag
   uint through_rays;         // 1: some of the light of wide terms comes through at the pixel
 };
-// What the pass needs to know of the terms and of the laws of shape.
+// The terms that maps hold, and the laws of shape.
 struct SkinTermsIo {
   float sigma_mm[MOST_TERMS];  // of the Gaussians that maps hold, narrow to wide
   float widest_mm;             // the last of them

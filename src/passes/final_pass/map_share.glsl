@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of a term its map can hold here. Needs SkinTermsIo and `io` (FinalPassIo).
+// The part of a term that its map can hold here. Needs SkinTermsIo and `io` (FinalPassIo).
 layout(constant_id = 14) const bool mixed = false;  // true: what it can't hold is lit at the pixel
 #ifndef TERMS                                       // a pass may have it elsewhere
 layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };

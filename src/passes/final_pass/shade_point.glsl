@@ -25,9 +25,11 @@ vec2 middle_of(uint samples) {
   return sum / float(bitCount(samples));
 }
 
-// Whether an entry is lit at two points: not where skin is cut, as the middle of the pixel was tested, also
-// beside the triangle. Maps have a gap anywhere else, and the colour of what is not there.
+// Where skin is cut, the middle of the pixel was tested, also beside the triangle. Maps have a gap anywhere
+// else, and the colour of what is not there.
 bool is_cut_out() { return is_on(material.flags & MATERIAL_ALPHA_MASK); }
+
+// Returns whether an entry is lit at two points.
 bool has_two_points(Entry entry) {
   return light_samples == 2 && is_whole(entry, multisampled) && !is_cut_out();
 }

@@ -70,9 +70,7 @@ vec3 through_share(LitThrough r, OnMap on) {
   }
   return sum;
 }
-#endif
 
-#ifdef THROUGH
 LitThrough found_through;  // at the first point of an entry
 #endif
 

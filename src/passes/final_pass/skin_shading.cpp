@@ -67,9 +67,8 @@ void SkinShading::prepare(gpu::PipelineLibrary& library) {
 
 std::vector<SkinVariant> SkinShading::variants() const {
   using Lit = SkinVariant::Lit;
-  std::vector<SkinVariant> lit{{.lit = look_.weights.empty() ? Lit::at_pixel : Lit::on_map}};
-  if (look_.mixes || look_.unscattered) lit.push_back({.lit = Lit::mixed});
-  if (look_.mixes) lit.push_back({.lit = Lit::at_pixel});
+  std::vector<SkinVariant> lit{{.lit = look_.weights.empty() ? Lit::at_pixel : lit_by_maps()}};
+  if (look_.mixes && !look_.weights.empty()) lit.push_back({.lit = Lit::at_pixel});
   if (look_.off_map) lit.push_back({.lit = Lit::at_pixel, .off_map = true});
 
   std::vector<SkinVariant> all;
@@ -92,7 +91,7 @@ SkinVariant SkinShading::variant_of(const FrameData& frame, const GpuDraw& draw,
 
 SkinVariant::Lit SkinShading::lit_of(const FrameData& frame) const {
   if (look_.weights.empty() || !terms_of(frame, look_.square).any) return SkinVariant::Lit::at_pixel;
-  return look_.mixes || look_.unscattered ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
+  return lit_by_maps();
 }
 
 bool SkinShading::through(const SkinVariant& variant) const {

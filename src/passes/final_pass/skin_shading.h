@@ -95,6 +95,10 @@ class SkinShading {
 
  private:
   SkinVariant::Lit lit_of(const FrameData& frame) const;
+  /// Where some term is read from a map.
+  SkinVariant::Lit lit_by_maps() const {
+    return look_.mixes || look_.unscattered ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
+  }
   bool through() const { return look_.through && (look_.mixes || look_.off_map || look_.weights.empty()); }
   void offer_maps(Bindings& bindings, const frame::Resources& resources, const Instance& instance) const;
 

@@ -21,7 +21,7 @@ class Stretch {
   } settings;
   struct In {
     frame::TextureId
-        /// RGBA16F, T_max x T_max, persistent if it is made once: (a, b, c) of the Cholesky factor per metre,
+        /// RGBA16F, persistent if it is made once: (a, b, c) of the Cholesky factor per metre,
         /// chart number (0 = no skin)
         stretch;
   } in;

@@ -76,7 +76,7 @@ class AddObject {
     if (s.translucency) {
       joining_.assign(maps.joining.begin(),
                       maps.joining.begin() + static_cast<std::ptrdiff_t>(groups.size() - 1));
-      through_ = passes::ThroughMesh{object.mesh, part_->profile, part_->mm_per_unit};
+      through_ = part_->through(object.mesh);
     }
   }
 

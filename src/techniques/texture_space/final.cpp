@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "frame/together.h"
 #include "passes/final_pass/final_pass.h"
@@ -15,17 +16,17 @@ using frame::Together;
 
 namespace {
 
-std::vector<std::array<float, 3>> weights(const gaussians::SumOfGaussians& profile) {
+std::vector<std::array<float, 3>> weights(std::span<const gaussians::Gaussian> terms) {
   std::vector<std::array<float, 3>> w;
-  for (const gaussians::Gaussian& term : profile.terms)
+  for (const gaussians::Gaussian& term : terms)
     w.push_back({static_cast<float>(term.weight[0]), static_cast<float>(term.weight[1]),
                  static_cast<float>(term.weight[2])});
   return w;
 }
 
-std::vector<float> sigmas_mm(const gaussians::SumOfGaussians& profile) {
+std::vector<float> sigmas_mm(std::span<const gaussians::Gaussian> terms) {
   std::vector<float> sigmas;
-  for (const gaussians::Gaussian& term : profile.terms)
+  for (const gaussians::Gaussian& term : terms)
     sigmas.push_back(static_cast<float>(std::sqrt(term.variance_mm2)));
   return sigmas;
 }

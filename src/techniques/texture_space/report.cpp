@@ -111,9 +111,9 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
     const SkinPart& part = settings.skin[mesh];
     const auto add = [&](std::uint32_t side) {
-      const double texels_per_mm = std::max(part.max_uv_per_mm * side, 1e-6);
-      sizes.push_back(
-          {.mesh = mesh, .side = side, .width_texels = passes::gutter_width(part.mapped(), texels_per_mm)});
+      sizes.push_back({.mesh = mesh,
+                       .side = side,
+                       .width_texels = passes::gutter_width(part.profile, part.max_texels_per_mm(side))});
     };
 
     add(stretch_side_of(settings));

@@ -40,7 +40,7 @@ TEST(MapSide, HoldsTheWideTerms) {
   const FrameSettings s = like_the_scan();
   EXPECT_EQ(s.map_size, 512u);
   EXPECT_EQ(s.skin[0].first_mapped, 4u);
-  EXPECT_EQ(s.skin[0].mapped().terms.size(), 2u);
+  EXPECT_EQ(s.skin[0].mapped().size(), 2u);
   EXPECT_EQ(like_the_scan(300).map_size, 300u) << "no more than it may have";
   EXPECT_EQ(like_the_scan(300).skin[0].first_mapped, 4u);
   EXPECT_EQ(like_the_scan(150).skin[0].first_mapped, 5u);
