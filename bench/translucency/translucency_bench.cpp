@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a light costs with translucency and without, for light maps and shadow maps of several sizes, drawn
-// alternately in one run. translucency_bench [SCENE] [ROUNDS] [MAP_SIZE SHADOW_SIZE [raster|compute]]: all
-// pairs of sizes, or one (0 0: all), with texels lit as usual or in one way. Made for:
+// alternately in one run. translucency_bench [SCENE] [ROUNDS] [MAP_SIZE SHADOW_SIZE]: all pairs of sizes, or
+// one. Made for:
 // ninja translucency_bench &&
 // build/release/bench/translucency/translucency_bench assets/heads/lee-perry-smith.gltf
 #include <algorithm>
@@ -10,8 +10,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
-#include <stdexcept>
-#include <string_view>
 
 #include "dermis/renderer.h"
 
@@ -66,13 +64,6 @@ int main(int argc, char** argv) {
     dermis::RenderSettings settings;
     settings.output.width = 480;
     settings.output.height = 270;
-    if (argc > 5) {
-      const std::string_view by = argv[5];
-      if (by != "raster" && by != "compute")
-        throw std::invalid_argument("texels are lit by raster or compute");
-      settings.quality.irradiance =
-          by == "raster" ? dermis::IrradianceBy::raster : dermis::IrradianceBy::compute;
-    }
     const int only_map = argc > 4 ? std::atoi(argv[3]) : 0, only_shadow = argc > 4 ? std::atoi(argv[4]) : 0;
 
     dermis::Renderer renderer;

@@ -94,15 +94,6 @@ enum class Shading : std::uint8_t {
   compute  ///< after all are drawn as ids: once per pixel and surface that it shows
 };
 
-/// How the texels of light maps are lit.
-enum class IrradianceBy : std::uint8_t {
-  raster,  ///< triangles are drawn in texture coordinates
-  /// a compute pass lights each texel; which triangle it shows is drawn once, or in each frame if triangles
-  /// overlap in texture coordinates. Of those, the last that is not culled owns a texel also where it is cut
-  /// away. Light that a host draws is drawn.
-  compute
-};
-
 /// What techniques in screen space blur by.
 enum class ScreenKernel : std::uint8_t {
   profile,    ///< the profile of the skin, in mm
@@ -142,7 +133,6 @@ struct QualitySettings {
   /// none: fastest on the kind of device. The targets of a host are always drawn into, and so is what ids
   /// cannot tell apart (docs/techniques.md).
   std::optional<Shading> shading{};
-  std::optional<IrradianceBy> irradiance{};               ///< none: fastest on the kind of device
   ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space
   BlurResolution blur_resolution = BlurResolution::full;  ///< likewise, of those that blur
   std::optional<int> taps{};  ///< of their kernels, see docs/techniques.md; none: as many as usual

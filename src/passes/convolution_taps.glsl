@@ -12,7 +12,7 @@ vec4 light_at(ivec2 p) { return none_outside(p, imageLoad(light_in, held_inside(
 
 // Adds a texel unless it belongs to no chart or to another; returns its weight.
 float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
-  const float used = abs(texel.a) == chart ? weight : 0.0;
+  const float used = texel.a == chart ? weight : 0.0;
   sum += used * texel.rgb;
   return used;
 }

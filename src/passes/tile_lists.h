@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Lists of the tiles of light maps, shared by the pass that makes them and the convolutions that use them;
-// see shared/tiles_io.h.
+// The tiles of light maps that a frame lights and blurs: the passes of tiles/ make the lists, and passes over
+// texels dispatch by them. See shared/tiles_io.h.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <string>
 
 #include "frame/graph.h"
+#include "passes/light_pool.h"
 
 namespace dermis::passes {
 
-/// Returns the largest number of tiles of a square of this side.
-std::uint32_t tile_room(std::uint32_t side);
-
-/// Inputs of convolutions over tiles: see Blur::In.
+/// Each square of a pool has a list of lit tiles per material, and after those one of the tiles to blur.
 struct TileLists {
-  frame::BufferId classes;    ///< uint[]; what each tile holds, tile_room() per square
-  frame::BufferId tiles;      ///< uint[]; tile_room() entries per square
-  frame::BufferId counts;     ///< TileCountsIo[], one per square
-  frame::BufferId arguments;  ///< TileArgumentsIo[], one per square
-  std::uint32_t room = 0;     ///< entries per square
-  bool valid() const { return room > 0; }
+  frame::BufferId marks;      ///< uint[]; of each tile, `room` per square
+  frame::BufferId tiles;      ///< uint[]; x | y << 16 of each listed tile, `room` per list
+  frame::BufferId counts;     ///< uint[]; of listed tiles, one per list
+  frame::BufferId arguments;  ///< TileArgumentsIo[], one per list
+  std::uint32_t room = 0;     ///< tiles of the largest square
+  std::uint32_t lists = 0;    ///< per square
+
+  /// Returns the list of the tiles that hold texels of a square's n-th material.
+  std::uint32_t of_material(const UsedSquare& square, std::size_t material) const;
+  /// Returns the list of a square's tiles to blur.
+  std::uint32_t to_blur(const UsedSquare& square) const { return (square.index + 1) * lists - 1; }
 };
-TileLists make_tile_lists(frame::FrameGraph& graph, const std::string& name, std::uint32_t squares,
-                          std::uint32_t largest_side);
+
+/// Makes the lists of a pool. materials: of the skin mesh with most.
+TileLists make_tile_lists(frame::FrameGraph& graph, std::uint32_t squares, std::uint32_t largest_side,
+                          std::uint32_t materials);
 
 }  // namespace dermis::passes

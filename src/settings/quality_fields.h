@@ -97,15 +97,6 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
          .rebuilds = true,
          .real_time = true}},
 
-    Field{
-        "irradiance",
-        &QualitySettings::irradiance,
-        {.help = "how texels of light maps are lit: triangles are drawn, or a compute pass lights each texel",
-         .none = "fastest on this kind of device",
-         .option = "irradiance",
-         .rebuilds = true,
-         .real_time = true}},
-
     Field{"kernel",
           &QualitySettings::kernel,
           {.help = "of techniques in screen space: the profile of the skin, in mm; what the technique was "
@@ -165,6 +156,7 @@ template <>
 inline constexpr std::array gone_from<QualitySettings>{
     Gone{"blur", {}, "texture-space blurs narrow to wide, on one size of maps"},
     Gone{"maps", {}, "texture-space blurs narrow to wide, on one size of maps"},
+    Gone{"irradiance", {}, "the texels of light maps are always lit in compute"},
     Gone{"mask", "tiles",
          "texture-space always blurs tiles, and published has no other masks than alpha and depth"}};
 

@@ -90,8 +90,4 @@ gaussians::SumOfGaussians choose_profile(const scene::Material& material, const 
 
 Shading choose_shading(const QualitySettings& quality) { return quality.shading.value_or(Shading::compute); }
 
-IrradianceBy choose_irradiance(const QualitySettings& quality) {
-  return quality.irradiance.value_or(IrradianceBy::compute);
-}
-
 }  // namespace dermis::setup

@@ -31,7 +31,5 @@ gaussians::SumOfGaussians choose_profile(
 /// Returns where the settings shade skin, else the way that is fastest: compute, on every kind of device
 /// (docs/techniques.md).
 Shading choose_shading(const QualitySettings& quality);
-/// Returns how the settings light texels of light maps, else the way that is fastest: compute, likewise.
-IrradianceBy choose_irradiance(const QualitySettings& quality);
 
 }  // namespace dermis::setup

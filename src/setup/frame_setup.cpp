@@ -314,8 +314,6 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
     plan.mask = s.quality.mask.value_or(BlurMask::depth);
     plan.all_mapped = setup.technique->as_published;
   }
-  if (setup.technique->has_light_maps && !setup.technique->as_published)
-    plan.texel_maps = choose_irradiance(s.quality) == IrradianceBy::compute && !plan.host_lights();
   set_up_map_sides(setup, subjects, s);
 
   if (setup.technique->uses_profile) {

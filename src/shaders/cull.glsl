@@ -4,11 +4,7 @@
 // visible texels, so here whole triangles are culled: all vertex normals are more than 105 degrees from the
 // true direction to the camera, and the triangle faces away. Needs vertex_pull.glsl, skin_vertex.glsl,
 // instance.glsl, frame.glsl and `indices`.
-layout(binding = 28, scalar) readonly buffer TurnedNeighbours {
-  uint turned_neighbours[];
-};  // scene/turned.h
 const float cos_105_degrees = -0.2588190451;
-const uint always_kept = 0xFFFFFFFFu;  // as in scene/turned.h
 
 bool faces_away(uint first) {
   const vec3 p = vertex_position(indices[first]);
@@ -16,28 +12,12 @@ bool faces_away(uint first) {
   return dot(world_direction(cross(ab, ac)), to_eye(world_position(p))) < 0.0;
 }
 
-// Returns whether a triangle is so thin on a map of this side that it may contain no texel centre: an
-// inscribed circle whose radius is under 0.75 texels.
-bool falls_between_texels(uint first, float map_side) {
-  const vec2 a = unwrap_of(indices[first]), b = unwrap_of(indices[first + 1]),
-             c = unwrap_of(indices[first + 2]);
-  const vec2 ab = b - a, ac = c - a;
-  return abs(ab.x * ac.y - ab.y * ac.x) * map_side < 0.75 * (length(ab) + length(ac) + length(c - b));
-}
-
-bool triangle_culled(uint triangle, float map_side) {
+bool triangle_culled(uint triangle) {
   bool away = faces_away(3u * triangle);
   for (uint i = 0u; i < 3u; ++i) {
     const VertexIo v = vertex_at(indices[3u * triangle + i]);
     const vec3 eye = to_eye(world_position(v.position_m));
     away = away && dot(world_direction(v.normal), eye) < cos_105_degrees * length(eye) * length(v.normal);
   }
-  // A visible triangle without a texel reads the light of its neighbours.
-  if (away)
-    for (uint k = turned_neighbours[triangle]; k < turned_neighbours[triangle + 1u]; ++k) {
-      if (turned_neighbours[k] == always_kept) return false;
-      const uint first = 3u * turned_neighbours[k];
-      if (falls_between_texels(first, map_side) && !faces_away(first)) return false;
-    }
   return away;
 }

@@ -1,38 +1,24 @@
 // SPDX-License-Identifier: MIT
+// Tiles of light maps, and the lists of those that a frame lights and blurs: passes/tile_lists.h.
 #ifndef DERMIS_SHARED_TILES_IO_H
 #define DERMIS_SHARED_TILES_IO_H
 #include "shared/types.h"
-// Texels of a tile: what one workgroup of the convolution computes.
+// Texels of a tile: what one workgroup computes.
 #define TILE_WIDTH 16
 #define TILE_HEIGHT 8
 // Workgroups in x of an indirect dispatch: all devices allow 65535 in each direction.
 #define TILE_ROW 32768
-// What a tile holds, as bits.
-#define TILE_LIT 1
-#define TILE_UNLIT 2
+// Marks of a tile, as bits. Seen: a triangle that a pixel may show touches it. Source: texels of seen
+// tiles beside their charts take their light from it; it is lit as seen ones are. Gutter: light of seen
+// tiles continues there, beyond a seam; it is blurred as well.
+#define TILE_SEEN 1
+#define TILE_SOURCE 2
+#define TILE_GUTTER 4
+// Lists of lit tiles of a square, by material: all materials from the last one on share it.
+#define MOST_TILE_LISTS 8
 DERMIS_IO_BEGIN
 struct TileArgumentsIo {
-  uint listed_groups[3];  // VkDispatchIndirectCommand
-  uint idle_groups[3];    // VkDispatchIndirectCommand
-};
-struct TileCountsIo {
-  uint listed, idle;
-};
-struct TilesIo {
-  uvec2 origin;     // of the square in the pool
-  uint side;        // T, texels
-  uint square;      // number in the pool
-  uint first_tile;  // of the square's in the buffers: listed ones from the front, idle ones from the back
-  uint tile_count;  // of the used square
-  // 1: list tiles with unlit texels beside lit tiles; 0: list tiles with lit texels, the others are idle
-  uint border;
-  uint slot;  // of the counters: tiles listed
-};
-struct IdleIo {
-  uvec2 origin;
-  uint side;
-  uint square;
-  uint last_tile;  // in the list; idle tiles are stored backwards from here
+  uint groups[3];  // VkDispatchIndirectCommand over the tiles of a list
 };
 DERMIS_IO_END
 #endif

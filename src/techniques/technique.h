@@ -138,12 +138,9 @@ struct FrameSettings {
   /// enters its front: a map stores which side the light meets, and not which part of it enters.
   bool all_enters = false;
   BlurMask mask = BlurMask::depth;  ///< of technique `published`
-  /// Texels are lit by a compute pass, from maps of the triangles that they show; not those of a host's
-  /// light.
-  bool texel_maps = false;
-  bool all_mapped = false;  ///< every term is read from its map, whatever T
-  bool visibility = false;  ///< also makes the map that `output.show` "visibility" shows
-  bool labels = false;      ///< also draws FrameOutputs::label_surface and label_names
+  bool all_mapped = false;          ///< every term is read from its map, whatever T
+  bool visibility = false;          ///< also makes the map that `output.show` "visibility" shows
+  bool labels = false;              ///< also draws FrameOutputs::label_surface and label_names
 
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};

@@ -124,7 +124,7 @@ TEST_F(Bench, LampsInPlaceOfTheRig) {
 TEST_F(Bench, TechniquesAreNamedPerColumn) {
   const json cell =
       found({"--heads", "1", "--map-size", "512", "--rounds", "1", "--picture-samples", "0"}).at("cells")[0];
-  EXPECT_EQ(cell.at("variants").at("all_shading").at("technique"), "texture-space");
+  EXPECT_EQ(cell.at("variants").at("compute").at("technique"), "texture-space");
   EXPECT_EQ(cell.at("variants").at("baseline").at("technique"), "published");
   EXPECT_EQ(cell.at("variants").at("lambert").at("technique"), "lambert");
 }

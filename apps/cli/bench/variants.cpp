@@ -12,11 +12,10 @@ RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
   return s;
 }
 
-// The same by texture-space: each step beyond the papers is taken alone, from the way they have it.
-RenderSettings stepwise(RenderSettings s) {
+// The same by texture-space, shaded where it is drawn.
+RenderSettings drawn(RenderSettings s) {
   s.technique = "texture-space";
   s.quality.shading = Shading::raster;
-  s.quality.irradiance = IrradianceBy::raster;
   return s;
 }
 
@@ -32,13 +31,8 @@ RenderSettings at_edge(RenderSettings s) {
   return s;
 }
 
-RenderSettings lit(RenderSettings s, std::optional<IrradianceBy> by) {
-  s.quality.irradiance = by;
-  return s;
-}
-
 RenderSettings unscattered(RenderSettings s) {
-  s = stepwise(with(s, false, false, false));
+  s = drawn(with(s, false, false, false));
   s.technique = "lambert";
   return s;
 }
@@ -71,14 +65,8 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
     all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper",
                    at_edge(common)});
 
-  const RenderSettings optimised = stepwise(with(common, true, true, true));
-  all.push_back({shading_key, "ids", "all, by texture-space with skin drawn as ids and shaded in compute",
-                 shaded_in_compute(optimised), true});
-  all.push_back({texels_key, "texels", "all, by texture-space with the texels of light maps lit in compute",
-                 lit(optimised, IrradianceBy::compute), true});
-  const RenderSettings computed = lit(shaded_in_compute(optimised), {});
-  all.push_back({compute_key, "compute", "all, by texture-space with ids, and lit where that is fastest here",
-                 computed, true});
+  const RenderSettings computed = shaded_in_compute(drawn(with(common, true, true, true)));
+  all.push_back({compute_key, "compute", "all, by texture-space", computed, true});
   all.push_back({still_key, "still",
                  "compute, where heads and lights stand still: their shadow maps are kept", still(computed),
                  true});

@@ -23,9 +23,7 @@ inline constexpr const char* skipping_key = "skip";
 inline constexpr const char* optimised_key = "all";  ///< whose speed-up and picture are reported
 /// clipped at the very edge of the picture, as in [JG08]
 inline constexpr const char* at_edge_key = "all_margin_0";
-/// all, by texture-space, with each of the steps beyond the paper alone; `compute` is all with both
-inline constexpr const char* shading_key = "all_shading";
-inline constexpr const char* texels_key = "all_texels";
+/// all, by texture-space, with ids
 inline constexpr const char* compute_key = "compute";
 inline constexpr const char* still_key = "still";  ///< `compute`, with the shadow maps of the frame before
 inline constexpr const char* floor_key = "lambert";

@@ -33,7 +33,6 @@ RenderSettings Pace::settings(const RenderSettings& full) const {
   small.quality.shadow_size = std::min(full.quality.shadow_size, 2 * moving_map_size);
   // Of the ways that give nearly the same picture, those that are fastest where there is no GPU. On one there
   // is time for all of it, and none of this is used.
-  small.quality.irradiance = IrradianceBy::compute;
   small.quality.shading = Shading::compute;
   return small;
 }

@@ -7,10 +7,15 @@
 #include "shared/types.h"
 #include "shaders/half.glsl"
 #include "passes/blur/blur_io.h"
+#include "shaders/tile_list.glsl"
+layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
 layout(push_constant, scalar) uniform Push { BlurIo io; };
 layout(binding = 0, rgba16f) uniform readonly image2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
 layout(binding = 2) uniform utextureBuffer Kernels;
+layout(binding = 3, rgba16f) uniform writeonly image2D light_out;
+layout(binding = 4, scalar) readonly buffer Tiles { uint tiles[]; };
+layout(binding = 5, scalar) readonly buffer TileCounts { uint tile_counts[]; };
 
 #include "passes/convolution_taps.glsl"
 #include "passes/kernel_row.glsl"
@@ -20,12 +25,10 @@ void load_kernel(float sigma, bool averaged) {
                   averaged ? KERNEL_ROWS : 0);
 }
 
-vec4 own_light(ivec2 p) { return imageLoad(light_in, p + ivec2(io.origin)); }
-
 // Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, nor
 // does the size of its map.
 vec4 spread(ivec2 p, vec4 centre) {
-  const float chart = abs(centre.a);  // negative beside lit texels, see passes/dilate
+  const float chart = centre.a;
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
   const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
   const float texels = float(io.side);
@@ -72,4 +75,12 @@ vec4 spread(ivec2 p, vec4 centre) {
   return vec4(storable(sum / total), centre.a);
 }
 
-#include "passes/tiled_pass.glsl"
+void main() {
+  const uint i = tile_number(gl_WorkGroupID.xy);
+  if (i >= tile_counts[io.list]) return;
+  const ivec2 p = tile_corner(tiles[io.list * io.room + i]) + ivec2(gl_LocalInvocationID.xy);
+  if (any(greaterThanEqual(p, ivec2(io.side)))) return;
+
+  const vec4 own = imageLoad(light_in, p + ivec2(io.origin));
+  if (own.a != 0.0) imageStore(light_out, p + ivec2(io.origin), spread(p, own));
+}

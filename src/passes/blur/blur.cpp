@@ -8,19 +8,24 @@
 #include "passes/bindings.h"
 #include "passes/blur/blur_io.h"
 #include "passes/kernels.h"
+#include "shared/tiles_io.h"
 
 namespace dermis::passes {
 
 Blur::Out Blur::declare(frame::Declare& d) {
-  tiled(d, "blur.comp", in.lit, in.target);
+  compute(d, "blur.comp");
   d.read(in.light);
+  d.write(in.target);
+  d.read(in.lists.tiles);
+  d.read(in.lists.counts);
+  d.indirect(in.lists.arguments);
   if (in.start.valid()) d.read(in.start);
   d.sample(in.stretch);
   return {in.target};
 }
 
 void Blur::prepare(gpu::PipelineLibrary& library) {
-  TiledPass::prepare(library);
+  ComputePass::prepare(library);
   kernels_ =
       gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()), gpu::texels_of_shaders);
 }
@@ -36,12 +41,14 @@ std::vector<UsedSquare> Blur::squares_of(const FrameData& frame) const {
 }
 
 void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const {
-  Bindings bindings;
-  bindings.add("light_in", resources.storage(light))
+  Bindings()
+      .add("light_in", resources.storage(light))
       .add("stretch", resources.nearest(in.stretch))
-      .add("Kernels", kernels_);
-  offer(bindings, resources, kernels_);
-  bindings.bind(cmd, pipeline());
+      .add("Kernels", kernels_)
+      .add("light_out", resources.storage(in.target))
+      .add("Tiles", resources.buffer(in.lists.tiles))
+      .add("TileCounts", resources.buffer(in.lists.counts))
+      .bind(cmd, pipeline());
 }
 
 void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
@@ -54,14 +61,15 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
     bound = light;
 
     const double variance_mm2 = enters ? settings.chain->total_mm2 : settings.variance_mm2;
-    run(cmd, resources, square,
-        io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
-                   .axis = settings.axis,
-                   .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
-                   .origin = {},
-                   .side = 0,
-                   .square = 0,
-                   .first_tile = 0});
+    const std::uint32_t list = in.lists.to_blur(square);
+    cmd.push(pipeline(), io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
+                                    .axis = settings.axis,
+                                    .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
+                                    .origin = square.origin,
+                                    .side = square.side,
+                                    .list = list,
+                                    .room = in.lists.room});
+    cmd.dispatch_indirect(resources.buffer(in.lists.arguments), list * sizeof(io::TileArgumentsIo));
   }
 }
 

@@ -12,7 +12,9 @@
 
 #include "frame/graph.h"
 #include "gaussians/sum.h"
-#include "passes/tiled_pass.h"
+#include "passes/compute_pass.h"
+#include "passes/light_pool.h"
+#include "passes/tile_lists.h"
 
 namespace dermis::passes {
 
@@ -23,7 +25,7 @@ struct ChainStep {
   double total_mm2 = 0;  ///< variance of this step and all before: what a head that enters here blurs by
 };
 
-class Blur : public TiledPass {
+class Blur : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
@@ -36,8 +38,8 @@ class Blur : public TiledPass {
   } settings;
   struct In {
     frame::TextureId light, stretch;
-    frame::TextureId target;      ///< RGBA16F pool of the same size
-    TileLists lit = {};           ///< tiles that hold light; none: the whole square
+    frame::TextureId target;  ///< RGBA16F pool of the same size; tiles that are not listed hold 0
+    TileLists lists;
     frame::TextureId start = {};  ///< with `chain` and axis 0: the light before any blur
   } in;
   struct Out {

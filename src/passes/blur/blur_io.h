@@ -9,8 +9,8 @@ struct BlurIo {
   uint texel_averaged;  // the first step: its input is constant over each texel
   uvec2 origin;         // of the square in the pool
   uint side;            // T, texels
-  uint square;          // number in the pool
-  uint first_tile;      // of its tiles in the list
+  uint list;            // of its tiles to blur
+  uint room;            // entries of a list
 };
 DERMIS_IO_END
 #endif

@@ -40,7 +40,13 @@ void main() {
     total += weight;
   }
 
-  // If the other chart is unlit, the texel keeps what dilation wrote.
-  if (total > 0.0)
-    imageStore(target, p, vec4(round_to_half(sum / total), g.chart != 0u ? float(g.chart) : BORDER_ALPHA));
+  const float chart = g.chart != 0u ? float(g.chart) : BORDER_ALPHA;
+  if (total > 0.0) {
+    imageStore(target, p, vec4(round_to_half(sum / total), chart));
+    return;
+  }
+
+  // If the other chart is unlit there, the texel repeats the light of its own.
+  const vec4 beside = imageLoad(target, ivec2(g.own & 0xFFFFu, g.own >> 16) + origin);
+  if (g.own != g.texel && beside.a != 0.0) imageStore(target, p, vec4(beside.rgb, chart));
 }

@@ -1,86 +1,136 @@
 // SPDX-License-Identifier: MIT
 #include "passes/irradiance/irradiance.h"
 
+#include <fmt/format.h>
+
 #include "frame/resources.h"
+#include "passes/bindings.h"
 #include "passes/draw_skin.h"
-#include "passes/targets.h"
+#include "passes/irradiance/texels_io.h"
+#include "shared/tiles_io.h"
 
 namespace dermis::passes {
 
-Irradiance::Out Irradiance::declare(frame::Declare& d) {
-  d.kind(frame::PassKind::raster);
-  d.colour(in.light);
-  d.sample(in.shadow);
-  if (in.kept.valid()) d.indices(in.kept.indices);
-  if (settings.from_host) d.sample(in.host_irradiance);
-  if (!settings.through.empty()) {
-    DERMIS_ASSERT_LT(in.joining.size(), std::size_t{TRANSMISSION_GROUPS});
-    if (in.entering.valid()) d.sample(in.entering);
-    for (const frame::TextureId joining : in.joining) d.colour(joining);
-  }
-  return {in.light};
+void LitTexels::declare(frame::Declare& d, const Settings& settings, const In& in) {
+  d.kind(frame::PassKind::compute);
+  d.sample(in.texels);
+  d.read(in.lists.tiles);
+  d.read(in.lists.counts);
+  d.indirect(in.lists.arguments);
+  if (!settings.from_host) d.sample(in.shadow);
+  if (!settings.through.empty() && in.entering.valid()) d.sample(in.entering);
 }
 
-void Irradiance::prepare(gpu::PipelineLibrary& library) {
-  gpu::GraphicsDesc desc{.vertex = settings.clip ? "irradiance_clipped.vert" : "irradiance.vert",
-                         .fragment = settings.from_host ? "irradiance_from_host.frag" : "irradiance.frag",
-                         .constants = {},
-                         .colour_formats = {light_format}};
-  if (!settings.from_host) {
-    desc.constants.emplace_back("environment", settings.environment ? 1u : 0u);
-    desc.constants.emplace_back("soft_shadows", settings.soft_shadows ? 1u : 0u);
-  }
+void LitTexels::prepare(gpu::PipelineLibrary& library, const std::string& shader, const Settings& settings,
+                        const In& in, gpu::Constants constants) {
+  samplers_ = LightingSamplers(library);
   const bool through = !settings.through.empty();
   if (through) {
-    desc.fragment = fmt::format("irradiance_through_{}.frag", in.joining.size() + 1);
-    desc.colour_formats.assign(in.joining.size() + 1, light_format);
     through_ = ThroughBindings(library, settings.through);
+    constants.emplace_back("entering_stored", in.entering.valid() ? 1u : 0u);
   }
-  samplers_ = LightingSamplers(library);
+  if (!settings.from_host) constants.emplace_back("soft_shadows", settings.soft_shadows ? 1u : 0u);
 
   for (const bool cut_out : {false, true}) {
     pipelines_[cut_out].clear();
     if (cut_out && !settings.cut_out) continue;
-    gpu::GraphicsDesc variant = desc;
-    variant.constants.emplace_back("cut_out", cut_out ? 1u : 0u);
-    if (!through) pipelines_[cut_out].push_back(&library.graphics(variant));
+    gpu::Constants variant = constants;
+    variant.emplace_back("cut_out", cut_out ? 1u : 0u);
+    if (!through) pipelines_[cut_out].push_back(&library.compute(shader, variant));
     for (const ThroughMesh& mesh : settings.through) {
-      gpu::GraphicsDesc of_mesh = variant;
-      of_mesh.constants.emplace_back("through_terms", mesh.mapped_terms());
-      of_mesh.constants.emplace_back("slab_gains", mesh.profile.shape ? 1u : 0u);
-      of_mesh.constants.emplace_back("entering_stored", in.entering.valid() ? 1u : 0u);
-      pipelines_[cut_out].push_back(&library.graphics(of_mesh));
+      gpu::Constants of_mesh = variant;
+      of_mesh.emplace_back("through_terms", mesh.mapped_terms());
+      of_mesh.emplace_back("slab_gains", mesh.profile.shape ? 1u : 0u);
+      pipelines_[cut_out].push_back(&library.compute(shader, of_mesh));
     }
   }
 }
 
-void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  std::vector<gpu::ColourTarget> targets;
-  const auto add_target = [&](frame::TextureId id) {
-    targets.push_back({.texture = &resources.texture(id), .clear = no_light});
-  };
-  add_target(in.light);
-  for (const frame::TextureId joining : in.joining) add_target(joining);
-
+void LitTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
+                       const Settings& settings, const In& in, const Bindings& of_pass) const {
   const bool through = !settings.through.empty();
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     const Instance& instance = instance_of(frame, square);
     const std::uint32_t mesh = mesh_in_asset(frame, square);
     const std::size_t entry = through ? through_.entry_of(square.mesh) : 0;
-    Bindings bindings;
-    bindings.add("Frame", frame.frame_io);
+
+    Bindings bindings = of_pass;
+    bindings.add("Frame", frame.frame_io)
+        .add("texels", resources.nearest(in.texels))
+        .add("Tiles", resources.buffer(in.lists.tiles))
+        .add("TileCounts", resources.buffer(in.lists.counts));
     samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
     samplers_.offer_sky(bindings, instance, mesh);
-    if (settings.from_host) bindings.add("host_irradiance", resources.nearest(in.host_irradiance));
     if (through) through_.offer(bindings, resources, in.entering, in.shadow, entry);
 
-    cmd.begin_rendering_area(targets, {}, square.area(), true);
-    draw_skin(
-        cmd, instance, mesh, bindings,
-        [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out][entry]; },
-        nullptr, in.kept.valid() ? kept_in(in.kept, resources, square) : gpu::BufferBinding{});
-    cmd.end_rendering();
+    const std::vector<GpuDraw>& draws = instance.scene->skin[mesh].draws;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+      const GpuMaterial& material = instance.look->material(draws[k].material);
+      const gpu::Pipeline& pipeline = *pipelines_[material.cut_out][entry];
+      const std::uint32_t list = in.lists.of_material(square, k);
+      Bindings all = bindings;
+      offer_skin(all, instance, mesh, material);
+      all.bind(cmd, pipeline);
+      cmd.push(pipeline, io::TexelsIo{.origin = square.origin,
+                                      .side = square.side,
+                                      .list = list,
+                                      .room = in.lists.room,
+                                      .first_triangle = draws[k].first_index / 3,
+                                      .end_triangle = (draws[k].first_index + draws[k].index_count) / 3});
+      cmd.dispatch_indirect(resources.buffer(in.lists.arguments), list * sizeof(io::TileArgumentsIo));
+    }
   }
+}
+
+Irradiance::Out Irradiance::declare(frame::Declare& d) {
+  LitTexels::declare(d, settings, in.texels);
+  d.write(in.light);
+  if (settings.from_host) d.sample(in.host_irradiance);
+  if (!settings.through.empty()) {
+    DERMIS_ASSERT_LT(in.joining.size(), std::size_t{TRANSMISSION_GROUPS});
+    for (const frame::TextureId joining : in.joining) d.write(joining);
+  }
+  return {in.light};
+}
+
+void Irradiance::prepare(gpu::PipelineLibrary& library) {
+  if (settings.from_host) {
+    lit_.prepare(library, "irradiance_from_host.comp", settings, in.texels, {});
+    return;
+  }
+  const std::size_t groups = settings.through.empty() ? 0 : in.joining.size() + 1;
+  lit_.prepare(library, fmt::format("irradiance_{}.comp", groups), settings, in.texels,
+               {{"environment", settings.environment ? 1u : 0u}});
+}
+
+void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  static constexpr const char* joining[] = {"joining_1", "joining_2"};
+  Bindings bindings;
+  bindings.add("light", resources.storage(in.light));
+  if (settings.from_host) bindings.add("host_irradiance", resources.nearest(in.host_irradiance));
+  if (!settings.through.empty())
+    for (std::size_t g = 0; g < in.joining.size(); ++g)
+      bindings.add(joining[g], resources.storage(in.joining[g]));
+  lit_.record(cmd, resources, frame, settings, in.texels, bindings);
+}
+
+TransmissionMisses::Out TransmissionMisses::declare(frame::Declare& d) {
+  LitTexels::declare(d, settings.irradiance, in.texels);
+  d.runs(frame::Runs::for_statistics);
+  d.write(in.counters);
+  return {};
+}
+
+void TransmissionMisses::prepare(gpu::PipelineLibrary& library) {
+  lit_.prepare(library, "transmission_misses.comp", settings.irradiance, in.texels,
+               {{"slot", settings.slot}});
+}
+
+void TransmissionMisses::record(gpu::Cmd& cmd, const frame::Resources& resources,
+                                const FrameData& frame) const {
+  Bindings bindings;
+  bindings.add("Counters", resources.buffer(in.counters));
+  lit_.record(cmd, resources, frame, settings.irradiance, in.texels, bindings);
 }
 
 }  // namespace dermis::passes

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Light of a texel, E albedo^mix / pi 2^EV: the input of the convolution, for raster and compute passes
 // alike. GROUPS: of the profile's terms that transmitted light joins, each with a target
-// (passes/transmission.h); 0: no transmitted light. Alpha is the number of the chart; BORDER_ALPHA or 0 where
-// the alpha test cuts the skin away.
+// (passes/transmission.h); 0: no transmitted light. Alpha is the number of the chart; BORDER_ALPHA where the
+// alpha test cuts the skin away.
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
 #include "shaders/skin_lights.glsl"
@@ -25,9 +25,11 @@ LitTexel lit_texel(ShadingPoint s, vec2 unwrap, float chart_there, CutTexel cut)
   const LitThrough r = lit_through(s, n, skin_specular(s), unseen);
 #endif
 
-  const float chart = cut_out ? chart_left(chart_there, cut) : chart_there;
+  // Pixels of skin beside it read what is cut away.
+  const bool cut_away = cut_out && is_cut(cut.uv, cut.colour);
+  const float chart = cut_away ? BORDER_ALPHA : chart_there;
   vec3 albedo = skin_albedo(s);
-  if (cut_out && chart == BORDER_ALPHA) albedo = albedo_beside(cut);
+  if (cut_away) albedo = albedo_beside(cut);
   const vec3 before = albedo_power(albedo, material.mix_before);
   const float scale = frame.radiance_scale / pi;
 

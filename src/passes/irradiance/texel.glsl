@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: MIT
-// What a texel of a light map shows, for compute passes over the texels of a square: the triangle that the
+// What a texel of a light map shows, for compute passes over the lit tiles of a square: the triangle that the
 // map of texels names (passes/texel_map), and its vertices' values at the centre of the texel. Needs
 // scene_io.h; COMPUTE_SHADING is defined.
 #include "passes/irradiance/texels_io.h"
-#include "shared/texel_lists_io.h"
+#include "shaders/tile_list.glsl"
 #include "shaders/vertex_pull.glsl"
 #include "shaders/skin_vertex.glsl"
 #include "shaders/bulge.glsl"
-layout(local_size_x = TEXEL_GROUP) in;
+layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
 layout(push_constant, scalar) uniform Push { TexelsIo io; };
 layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
-layout(binding = 39, scalar) readonly buffer Lists { TexelListIo lists[]; };
+layout(binding = 39, scalar) readonly buffer Tiles { uint tiles[]; };
+layout(binding = 40, scalar) readonly buffer TileCounts { uint tile_counts[]; };
 layout(binding = 34) uniform usampler2D texels;
-layout(binding = 40) uniform usampler2D entries;  // of the lists
-layout(constant_id = 16) const bool clip = false;
 
-// A texel of the list, and its triangle.
+// A texel of a listed tile, and its triangle.
 struct ListedTexel {
-  bool listed;  // false: the list ends before this invocation
+  bool listed;  // false: it has none of this material, or the list ends before this workgroup
   ivec2 texel;  // in the square
   uint triangle;
 };
 
 ListedTexel listed_texel() {
-  const uint number =
-      (gl_WorkGroupID.y * TEXEL_ROW + gl_WorkGroupID.x) * TEXEL_GROUP + gl_LocalInvocationIndex;
-  const TexelListIo list = lists[io.list];
-  zero = list.count >> 31;  // never set: a map has fewer texels
-  const uint place = list.first + min(number, list.count - 1u);
-  const uvec2 at = io.origin + uvec2(place % io.side, place / io.side);
-  const uint entry = texelFetch(entries, ivec2(at), 0).r;
-  const ivec2 texel = ivec2(entry & 0xFFFFu, entry >> 16);
-  return ListedTexel(number < list.count, texel, texelFetch(texels, texel + ivec2(io.origin), 0).r - 1u);
+  const uint count = tile_counts[io.list], number = tile_number(gl_WorkGroupID.xy);
+  zero = count >> 31;  // never set: a map has fewer tiles
+  const ivec2 texel =
+      tile_corner(tiles[io.list * io.room + min(number, count - 1u)]) + ivec2(gl_LocalInvocationID.xy);
+  const ivec2 inside = min(texel, ivec2(io.side) - 1);
+
+  const uint triangle = texelFetch(texels, inside + ivec2(io.origin), 0).r - 1u;  // wraps where there is none
+  const bool listed =
+      number < count && texel == inside && triangle >= io.first_triangle && triangle < io.end_triangle;
+  return ListedTexel(listed, inside, listed ? triangle : io.first_triangle);
 }
 
 // Weights of the three corners, and how they grow per texel to the right and down.
@@ -60,13 +60,6 @@ Corners corners_at(uvec3 vertex, ivec2 texel) {
                        c * vertex_position(vertex.z);
   return Corners(vertex, vec3(1.0 - b - c, b, c), vec3(-to_b.x - to_c.x, to_b.x, to_c.x) * width,
                  vec3(-to_b.y - to_c.y, to_b.y, to_c.y) * width, centre, asset_m, world_position(asset_m));
-}
-
-// Returns whether the texel lies in the picture and its margin.
-bool is_seen(Corners k) {
-  bool seen = true;
-  for (int i = 0; clip && i < 5; ++i) seen = seen && distance_inside(i, k.position_m) >= 0.0;
-  return seen;
 }
 
 struct TexelPoint {

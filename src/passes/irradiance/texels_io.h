@@ -3,14 +3,16 @@
 #define DERMIS_PASSES_TEXELS_IO_H
 #include "shared/types.h"
 DERMIS_IO_BEGIN
-// A square of light maps, and the list of the texels of one material in it.
+// The lit texels of one material in a square of light maps.
 struct TexelsIo {
-  uvec2 origin;  // of the square in the pool
-  uint side;     // T, texels
-  uint list;     // its number: passes/texel_lists.h
+  uvec2 origin;                       // of the square in the pool
+  uint side;                          // T, texels
+  uint list;                          // of the tiles that hold such texels: passes/tile_lists.h
+  uint room;                          // entries of a list
+  uint first_triangle, end_triangle;  // of the material
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::TexelsIo) == 16);
+static_assert(sizeof(dermis::io::TexelsIo) == 28);
 #endif
 #endif

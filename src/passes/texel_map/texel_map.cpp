@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "passes/texel_map/texel_map.h"
 
+#include <algorithm>
+
 #include "frame/resources.h"
 #include "passes/bindings.h"
+#include "passes/cull.h"
 #include "passes/posed.h"
 
 namespace dermis::passes {
@@ -14,20 +17,20 @@ frame::TextureId make_texel_map(frame::FrameGraph& graph, gpu::TextureDesc light
 
 TexelMap::Out TexelMap::declare(frame::Declare& d) {
   d.kind(frame::PassKind::raster);
-  if (in.kept.valid()) d.read(in.kept.indices);
   d.colour(in.map);
   return {};
 }
 
 void TexelMap::prepare(gpu::PipelineLibrary& library) {
-  const auto make = [&](const char* vertex) {
-    return &library.graphics({.vertex = vertex,
-                              .fragment = "texel_map.frag",
-                              .constants = {},
-                              .colour_formats = {VK_FORMAT_R32_UINT}});
-  };
-  whole_ = make("texel_map.vert");
-  if (in.kept.valid()) overlapping_ = settings.clip ? make("texel_map_clipped.vert") : whole_;
+  gpu::GraphicsDesc desc{.vertex = "texel_map.vert",
+                         .fragment = "texel_map.frag",
+                         .constants = {},
+                         .colour_formats = {VK_FORMAT_R32_UINT}};
+  whole_ = &library.graphics(desc);
+  if (std::ranges::find(settings.overlapping, true) == settings.overlapping.end()) return;
+  desc.vertex = "texel_map_seen.vert";
+  desc.constants = {{"cull", settings.cull ? 1u : 0u}, {"clip", settings.clip ? 1u : 0u}};
+  seen_ = &library.graphics(desc);
 }
 
 bool TexelMap::must_draw(const FrameData& frame, const UsedSquare& square) const {
@@ -43,16 +46,21 @@ void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fr
     if (!must_draw(frame, square)) continue;
     const Instance& instance = instance_of(frame, square);
     const std::uint32_t number = mesh_in_asset(frame, square);
-    const auto indices = instance.scene->skin[number].indices.desc().bytes / sizeof(std::uint32_t);
-    const bool overlapping = settings.overlapping[square.mesh];
+    const GpuMesh& mesh = instance.scene->skin[number];
     Bindings bindings;
     bindings.add("Frame", frame.frame_io).add("Head", instance.io);
     offer_mesh(instance, number, bindings);
-    if (overlapping) bindings.add("Indices", kept_in(in.kept, resources, square));
 
     cmd.begin_rendering_area(std::span(&target, 1), {}, square.area(), true);
-    bindings.bind(cmd, overlapping ? *overlapping_ : *whole_);
-    cmd.draw(3 + static_cast<std::uint32_t>(indices));
+    bindings.bind(cmd, *whole_);
+    cmd.draw(3 + static_cast<std::uint32_t>(mesh.indices.desc().bytes / sizeof(std::uint32_t)));
+    if (settings.overlapping[square.mesh]) {
+      bindings.bind(cmd, *seen_);
+      for (const GpuDraw& draw : mesh.draws) {
+        cmd.push(*seen_, cull_io(instance, instance.look->material(draw.material)));
+        cmd.draw(draw.index_count, 1, 3 + draw.first_index);
+      }
+    }
     cmd.end_rendering();
   }
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "frame/graph.h"
-#include "passes/kept_triangles.h"
 #include "passes/light_pool.h"
 
 namespace dermis::passes {
@@ -16,19 +15,18 @@ namespace dermis::passes {
 frame::TextureId make_texel_map(frame::FrameGraph& graph, gpu::TextureDesc light);
 
 /// Draws the squares that hold another unwrap or another T (FrameData::kept_texels). Where triangles overlap
-/// in the unwrap, the map is that of a frame: only what it lights is drawn, and a triangle that nobody sees
-/// does not take the texels of one that is seen.
+/// in the unwrap, the map is that of a frame: those that a pixel may show are drawn once more, and one that
+/// nobody sees does not take the texels of one that is seen.
 class TexelMap {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
     std::vector<std::uint32_t> unwraps;  ///< number of the unwrap, by skin mesh of the plan
-    std::vector<bool> overlapping;       ///< likewise: its map is drawn in each frame, of what is kept
-    bool clip = false;                   ///< and of that what lies in the picture and its margin
+    std::vector<bool> overlapping;       ///< likewise: its map is drawn in each frame
+    bool cull = true, clip = false;      ///< of SeenTiles
   } settings;
   struct In {
     frame::TextureId map;
-    KeptTriangles kept = {};  ///< as Irradiance; needed if any mesh overlaps
   } in;
   struct Out {};
   Out declare(frame::Declare& d);
@@ -37,7 +35,7 @@ class TexelMap {
 
  private:
   bool must_draw(const FrameData& frame, const UsedSquare& square) const;
-  const gpu::Pipeline *whole_ = nullptr, *overlapping_ = nullptr;
+  const gpu::Pipeline *whole_ = nullptr, *seen_ = nullptr;
 };
 
 }  // namespace dermis::passes

@@ -1,53 +1,82 @@
 // SPDX-License-Identifier: MIT
 #include "passes/tiles/tiles.h"
 
-#include <cstddef>
+#include <algorithm>
 
 #include "frame/resources.h"
 #include "passes/bindings.h"
+#include "passes/cull.h"
+#include "passes/posed.h"
+#include "passes/tiles/tiles_io.h"
 #include "shared/tiles_io.h"
 
 namespace dermis::passes {
 namespace {
 
-io::TilesIo tiles_io(const UsedSquare& square, const TileLists& lists) {
-  return {.origin = square.origin,
-          .side = square.side,
-          .square = square.index,
-          .first_tile = square.index * lists.room,
-          .tile_count = tile_room(square.side),
-          .border = 0,
-          .slot = 0};
-}
-
-// One invocation per tile.
-void dispatch_tiles(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const io::TilesIo& io) {
-  cmd.push(pipeline, io);
-  cmd.dispatch_over(pipeline, (io.side + TILE_WIDTH - 1) / TILE_WIDTH,
-                    (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
-}
+// Workgroups of 64 in the least number that Vulkan allows.
+constexpr std::uint32_t most_at_once = 65535 * 64;
 
 }  // namespace
 
-TileClasses::Out TileClasses::declare(frame::Declare& d) {
-  compute(d, "tile_classes.comp");
-  d.read(in.light);
-  d.write(in.lists.classes);
+SeenTiles::Out SeenTiles::declare(frame::Declare& d) {
+  compute(d, "seen_tiles.comp", {{"cull", settings.cull ? 1u : 0u}, {"clip", settings.clip ? 1u : 0u}});
+  d.write(in.lists.marks);
   return {};
 }
 
-void TileClasses::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  Bindings()
-      .add("light", resources.storage(in.light))
-      .add("TileClasses", resources.buffer(in.lists.classes))
-      .bind(cmd, pipeline());
-  for (const UsedSquare& square : used_squares(frame, settings.squares))
-    dispatch_tiles(cmd, pipeline(), tiles_io(square, in.lists));
+void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    const Instance& instance = instance_of(frame, square);
+    const std::uint32_t number = mesh_in_asset(frame, square);
+    Bindings bindings;
+    bindings.add("Frame", frame.frame_io)
+        .add("Head", instance.io)
+        .add("TileMarks", resources.buffer(in.lists.marks));
+    offer_mesh(instance, number, bindings);
+    bindings.bind(cmd, pipeline());
+
+    const std::vector<GpuDraw>& draws = instance.scene->skin[number].draws;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+      io::SeenTilesIo io{.cull = cull_io(instance, instance.look->material(draws[k].material)),
+                         .first = draws[k].first_index / 3,
+                         .count = 0,
+                         .side = square.side,
+                         .first_tile = square.index * in.lists.room,
+                         .list = in.lists.of_material(square, k) - square.index * in.lists.lists};
+      const std::uint32_t end = (draws[k].first_index + draws[k].index_count) / 3;
+      for (; io.first < end; io.first += io.count) {
+        io.count = std::min(end - io.first, most_at_once);
+        dispatch(cmd, io, io.count, 1);
+      }
+    }
+  }
+}
+
+GutterTiles::Out GutterTiles::declare(frame::Declare& d) {
+  compute(d, "gutter_tiles.comp");
+  d.write(in.lists.marks);
+  return {};
+}
+
+void GutterTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    const GpuMesh& mesh = instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
+    const auto found = mesh.gutters.find(square.side);
+    if (found == mesh.gutters.end() || found->second.count == 0) continue;
+
+    Bindings()
+        .add("Gutters", found->second.list)
+        .add("TileMarks", resources.buffer(in.lists.marks))
+        .bind(cmd, pipeline());
+    const io::GutterTilesIo io{
+        .count = found->second.count, .side = square.side, .first_tile = square.index * in.lists.room};
+    dispatch(cmd, io, io.count, 1);
+  }
 }
 
 Tiles::Out Tiles::declare(frame::Declare& d) {
   compute(d, "tiles.comp");
-  d.read(in.lists.classes);
+  d.read(in.lists.marks);
   d.write(in.lists.tiles);
   d.write(in.lists.counts);
   d.write(in.lists.arguments);
@@ -57,50 +86,21 @@ Tiles::Out Tiles::declare(frame::Declare& d) {
 
 void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   Bindings()
-      .add("TileClasses", resources.buffer(in.lists.classes))
+      .add("TileMarks", resources.buffer(in.lists.marks))
       .add("Tiles", resources.buffer(in.lists.tiles))
       .add("TileCounts", resources.buffer(in.lists.counts))
       .add("TileArguments", resources.buffer(in.lists.arguments))
       .add("Counters", resources.buffer(in.counters))
       .bind(cmd, pipeline());
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-    io::TilesIo io = tiles_io(square, in.lists);
-    io.border = settings.what == What::border ? 1 : 0;
-    io.slot = settings.first_slot + settings.slots_per_instance * square.instance +
-              settings.slots_per_mesh * mesh_in_asset(frame, square);
-    dispatch_tiles(cmd, pipeline(), io);
-  }
-}
-
-IdleTiles::Out IdleTiles::declare(frame::Declare& d) {
-  compute(d, "idle_tiles.comp");
-  d.read(in.lists.tiles);
-  d.read(in.lists.counts);
-  d.indirect(in.lists.arguments);
-  for (const In::Map& map : in.maps) d.write(map.light);
-  return {};
-}
-
-void IdleTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::Buffer& arguments = resources.buffer(in.lists.arguments);
-
-  for (const In::Map& map : in.maps) {
-    Bindings()
-        .add("Tiles", resources.buffer(in.lists.tiles))
-        .add("TileCounts", resources.buffer(in.lists.counts))
-        .add("light", resources.storage(map.light))
-        .bind(cmd, pipeline());
-
-    for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-      if (terms_of(frame, square).first_written > map.term) continue;
-      cmd.push(pipeline(),
-               io::IdleIo{.origin = square.origin,
-                          .side = square.side,
-                          .square = square.index,
-                          .last_tile = square.index * in.lists.room + tile_room(square.side) - 1});
-      cmd.dispatch_indirect(
-          arguments, square.index * sizeof(io::TileArgumentsIo) + offsetof(io::TileArgumentsIo, idle_groups));
-    }
+    const io::TilesIo io{.side = square.side,
+                         .first_tile = square.index * in.lists.room,
+                         .first_list = square.index * in.lists.lists,
+                         .lists = in.lists.lists,
+                         .room = in.lists.room,
+                         .slot = settings.first_slot + settings.slots_per_instance * square.instance +
+                                 settings.slots_per_mesh * mesh_in_asset(frame, square)};
+    dispatch(cmd, io, (io.side + TILE_WIDTH - 1) / TILE_WIDTH, (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
   }
 }
 

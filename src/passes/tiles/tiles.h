@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Lists the tiles that hold light, for convolutions over those alone; see shared/tiles_io.h.
+/// Finds the tiles of light maps that a frame lights and blurs: SeenTiles, then GutterTiles, then Tiles.
+/// Based on: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 and 5; departures:
+///   README.md
 #pragma once
 
 #include <vector>
@@ -10,56 +12,48 @@
 
 namespace dermis::passes {
 
-/// Finds what each tile holds: lit texels, unlit ones, both.
-class TileClasses : public ComputePass {
+/// Marks the tiles of triangles that a pixel may show.
+class SeenTiles : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
+    bool cull = true;   ///< leaves out what faces away, see shaders/cull.glsl
+    bool clip = false;  ///< leaves out what lies outside the picture and its margin
   } settings;
   struct In {
-    frame::TextureId light;  ///< RGBA16F pool
-    TileLists lists;         ///< their classes are filled here
+    TileLists lists;  ///< marks and counts are 0
   } in;
   struct Out {};
   Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-class Tiles : public ComputePass {
- public:
-  enum class What : std::uint8_t {
-    lit,     ///< tiles with lit texels are listed
-    border,  ///< tiles with unlit texels that touch a tile with lit ones, or hold both
-  };
-  struct Settings {
-    std::vector<MapSquare> squares;
-    What what = What::lit;
-    std::uint32_t first_slot = 0;  ///< of the counters: lit tiles, one per skin mesh of each instance
-    std::uint32_t slots_per_instance = 0, slots_per_mesh = 0;
-  } settings;
-  struct In {
-    TileLists lists;           ///< made from their classes
-    frame::BufferId counters;  ///< uint[]
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
-/// Clears the tiles without light in the maps that convolutions will write and read.
-class IdleTiles : public ComputePass {
+/// Marks the tiles of gutters that continue seen tiles, and those that light gutters of seen tiles which have
+/// nothing of their own chart to repeat.
+class GutterTiles : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
   } settings;
   struct In {
     TileLists lists;
-    struct Map {
-      frame::TextureId light;  ///< RGBA16F pool
-      /// The term that it holds. Heads do without maps of terms before MappedTerms::first_written.
-      std::uint32_t term = ~0u;
-    };
-    std::vector<Map> maps;
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+};
+
+/// Makes the lists from the marks.
+class Tiles : public ComputePass {
+ public:
+  struct Settings {
+    std::vector<MapSquare> squares;
+    std::uint32_t first_slot = 0;  ///< of the counters: tiles to blur, one per skin mesh of each instance
+    std::uint32_t slots_per_instance = 0, slots_per_mesh = 0;
+  } settings;
+  struct In {
+    TileLists lists;
+    frame::BufferId counters;  ///< uint[]
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -63,10 +63,10 @@ class MakeChain {
     blur.chain = passes::ChainStep{.number = number, .total_mm2 = total_mm2_};
     const std::string name = fmt::format("blur {}", number);
     const frame::TextureId stretch = maps_->stretch(mesh_), target = maps_->blurred()[term];
-    steps_.add<Blur>(name + " u", {light_.blurred, stretch, maps_->scratch(), maps_->lit(), light_.start},
+    steps_.add<Blur>(name + " u", {light_.blurred, stretch, maps_->scratch(), maps_->tiles(), light_.start},
                      blur);
     blur.axis = 1;
-    steps_.add<Blur>(name + " v", {maps_->scratch(), stretch, target, maps_->lit()}, blur);
+    steps_.add<Blur>(name + " v", {maps_->scratch(), stretch, target, maps_->tiles()}, blur);
     steps_.add<Gutters>(name + " gutters", {target}, {.squares = squares_, .step = number});
 
     light_.blurred = target;

@@ -16,12 +16,7 @@ enum Counter : std::uint32_t {
 };
 
 /// Of one skin mesh of one head.
-enum SquareCounter : std::uint32_t {
-  counter_lit_texels,
-  counter_masked_texels,
-  counter_tiles,
-  counter_mesh_stride
-};
+enum SquareCounter : std::uint32_t { counter_lit_texels, counter_tiles, counter_mesh_stride };
 
 /// Returns the slots of a head.
 inline std::uint32_t counter_head_stride(const FrameSettings& settings) {

@@ -7,12 +7,9 @@
 #include "passes/clear_buffers.h"
 #include "passes/clear_texels/clear_texels.h"
 #include "passes/count/count.h"
-#include "passes/cull_triangles/cull_triangles.h"
-#include "passes/dilate/dilate.h"
 #include "passes/gutters/gutters.h"
 #include "passes/host_irradiance/host_irradiance.h"
 #include "passes/stretch/stretch.h"
-#include "passes/texel_list/texel_list.h"
 #include "passes/texel_map/texel_map.h"
 #include "passes/tiles/tiles.h"
 #include "techniques/texture_space/counters.h"
@@ -25,16 +22,10 @@ using passes::MapSquare;
 
 LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen)
     : plan_(&plan), settings_(&settings), screen_(&screen), pool_(settings) {
-  std::uint32_t most_triangles = 0, most_materials = 1;
-  for (const SkinPart& part : settings.skin) {
-    most_triangles = std::max(most_triangles, part.triangles);
-    most_materials = std::max(most_materials, part.draws);
-  }
-  if (settings.optimise.cull || (settings.texel_maps && settings.optimise.clip))
-    kept_ = passes::make_kept_triangles(plan, pool_.squares(), most_triangles);
-  if (settings.texel_maps)
-    texels_ = {.map = passes::make_texel_map(plan, pool_.texture()),
-               .lists = passes::make_texel_lists(plan, pool_.texture(), pool_.squares(), most_materials)};
+  std::uint32_t materials = 1;
+  for (const SkinPart& part : settings.skin) materials = std::max(materials, part.draws);
+  tiles_ = passes::make_tile_lists(plan, pool_.squares(), pool_.cell_side(), materials);
+  texels_ = passes::make_texel_map(plan, pool_.texture());
 
   light_ = plan.texture("irradiance", pool_.texture());
   scratch_ = plan.texture("scratch", pool_.texture());
@@ -48,10 +39,6 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   // The first group of transmitted light joins in the irradiance map itself.
   for (std::size_t g = 1; settings.translucency && g < groups; ++g)
     transmitted_.push_back(plan.texture(fmt::format("joining {}", g), pool_.texture()));
-  if (is_sparse(settings)) {
-    border_ = passes::make_tile_lists(plan, "border", pool_.squares(), pool_.cell_side());
-    lit_ = passes::make_tile_lists(plan, "lit", pool_.squares(), pool_.cell_side());
-  }
   if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture());
   make_stretch();
 }
@@ -76,10 +63,8 @@ frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
 std::vector<frame::TextureId> LightMaps::textures() const {
   std::vector<frame::TextureId> all = blurred_;
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
-  for (const frame::TextureId map : {texels_.map, texels_.lists.entries})
-    if (map.valid()) all.push_back(map);
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
-  for (const frame::TextureId map : {light_, scratch_}) all.push_back(map);
+  for (const frame::TextureId map : {texels_, light_, scratch_}) all.push_back(map);
   return all;
 }
 
@@ -128,27 +113,28 @@ void LightMaps::add_stretch(std::string_view what, const std::vector<MapSquare>&
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {
-  // Light every texel that is seen, and gather what comes through the body.
+  add_tiles(all);
+  add_texel_map(all);
+  if (settings_->host_lights())
+    plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
+
+  // Light the texels of the tiles that are seen, and gather what comes through the body.
   const std::vector<SkinPart>& skin = settings_->skin;
   passes::Irradiance::Settings irradiance{
       .squares = all,
       .environment = settings_->environment,
       .soft_shadows = settings_->soft_shadows,
-      .clip = settings_->optimise.clip,
       .cut_out = std::any_of(skin.begin(), skin.end(), [](const SkinPart& part) { return part.cut_out; }),
       .from_host = settings_->host_lights(),
       .through = {}};
   if (settings_->translucency)
     for (const std::uint32_t mesh : meshes_of(all)) irradiance.through.push_back(skin[mesh].through(mesh));
-
-  if (kept_.valid())
-    plan_->add<passes::CullTriangles>(name("cull triangles"), {kept_},
-                                      {.squares = all,
-                                       .cull = settings_->optimise.cull,
-                                       .clip = texels_.valid() && settings_->optimise.clip});
-  if (settings_->host_lights())
-    plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
-  add_irradiance(irradiance);
+  const passes::LitTexels::In texels{screen_->shadow(), screen_->entering(), texels_, tiles_};
+  plan_->add<passes::Irradiance>(name("irradiance"), {light_, texels, transmitted_, host_irradiance_},
+                                 irradiance);
+  if (settings_->translucency)
+    plan_->add<passes::TransmissionMisses>(name("count transmission misses"), {texels, screen_->counters()},
+                                           {irradiance, counter_transmission_misses});
 
   // Count for the statistics.
   Together<passes::Count>::In counts;
@@ -159,113 +145,39 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
                                .squares = of_mesh(all, mesh)}});
   plan_->add<Together<passes::Count>>(name("count texels"), counts);
 
-  add_masks(all);
-}
-
-// Lights the texels, and counts what their transmitted light did not find.
-void LightMaps::add_irradiance(const passes::Irradiance::Settings& settings) {
-  const passes::Irradiance::In in{light_,       screen_->shadow(), screen_->entering(),
-                                  transmitted_, host_irradiance_,  kept_};
-  if (texels_.valid()) {
-    add_texels(settings, in);
-    return;
-  }
-
-  plan_->add<passes::Irradiance>(name("irradiance"), in, settings);
-  if (settings_->translucency)
-    plan_->add<passes::TransmissionMisses>(name("count transmission misses"),
-                                           {in.shadow, in.entering, kept_, screen_->counters()},
-                                           {.irradiance = settings, .slot = counter_transmission_misses});
-}
-
-// The same in compute: finds which triangle each texel shows, lists the texels that are lit, and lights
-// those.
-void LightMaps::add_texels(const passes::Irradiance::Settings& settings, const passes::Irradiance::In& in) {
-  const std::vector<MapSquare>& squares = settings.squares;
-  const passes::TexelLists& lists = texels_.lists;
-  std::vector<std::uint32_t> unwraps;
-  std::vector<bool> overlapping;
-  for (const SkinPart& part : settings_->skin) {
-    unwraps.push_back(part.unwrap);
-    overlapping.push_back(kept_.valid() && part.overlaps);
-  }
-  const bool any = std::ranges::find(overlapping, true) != overlapping.end();
-  plan_->add<passes::TexelMap>(name("texel map"), {texels_.map, any ? kept_ : passes::KeptTriangles{}},
-                               {squares, unwraps, overlapping, settings.clip});
-
-  plan_->add<passes::ClearBuffers>(name("clear texel lists"), {{lists.lists}});
-  const auto list = [&](std::string_view what, bool counts_only) {
-    plan_->add<passes::ListTexels>(name(what), {lists, texels_.map, kept_},
-                                   {.squares = squares, .counts_only = counts_only});
-  };
-  const bool counts = lists.materials > 1;
-  if (counts) list("texel counts", true);
-  if (!counts) list("texel list", false);
-  plan_->add<passes::TexelRanges>(name("texel ranges"), {lists}, {squares});
-  if (counts) list("texel list", false);
-
-  std::vector<frame::TextureId> maps{in.light};
-  maps.insert(maps.end(), in.joining.begin(), in.joining.end());
-  plan_->add<passes::ClearTexels>(name("clear irradiance"), {maps}, {squares});
-  plan_->add<passes::IrradianceTexels>(name("irradiance"), {in, texels_}, {settings});
-  if (settings_->translucency)
-    plan_->add<passes::TransmissionMissesOfTexels>(name("count transmission misses"),
-                                                   {in, texels_, screen_->counters()},
-                                                   {settings, counter_transmission_misses});
-}
-
-// Prepares the light for blurring: seam gutters, dilation, tiles that hold light.
-void LightMaps::add_masks(const std::vector<MapSquare>& all) {
   plan_->add<Gutters>(name("irradiance gutters"), {light_}, {.squares = all});
-  if (is_sparse(*settings_)) add_dilation(all);
-  add_masked_counts(all);
-  if (is_sparse(*settings_)) add_tiles(all);
 }
 
-// Extends the light to unlit texels beside lit ones, so that bilinear reads find light on all sides.
-void LightMaps::add_dilation(const std::vector<MapSquare>& all) {
-  plan_->add<passes::ClearBuffers>(name("clear border tiles"), {{border_.counts, border_.arguments}});
-  plan_->add<passes::TileClasses>(name("border tile classes"), {light_, border_}, {all});
-  plan_->add<passes::Tiles>(name("border tiles"), {border_, screen_->counters()},
-                            {.squares = all, .what = passes::Tiles::What::border});
-
-  const auto dilate = [&](std::string_view what, frame::TextureId light) {
-    Together<passes::Dilate>::In meshes;
-    for (const std::uint32_t mesh : meshes_of(all))
-      meshes.members.push_back({{light, stretch(mesh), border_}, {of_mesh(all, mesh)}});
-    plan_->add<Together<passes::Dilate>>(name(what), meshes);
-  };
-  dilate("dilate", light_);
-  for (std::size_t g = 0; g < transmitted_.size(); ++g)
-    dilate(fmt::format("dilate joining {}", g + 1), transmitted_[g]);
-}
-
-// Counts the texels that convolutions do not skip.
-void LightMaps::add_masked_counts(const std::vector<MapSquare>& all) {
-  Together<passes::Count>::In counts;
-  for (const std::uint32_t mesh : meshes_of(all))
-    counts.members.push_back(
-        {{light_, screen_->counters()},
-         {.slot = square_counter(*settings_, 0, settings_->skin[mesh].in_model, counter_masked_texels),
-          .slots_per_instance = counter_head_stride(*settings_),
-          .threshold = 0.5f,
-          .absolute = true,
-          .squares = of_mesh(all, mesh)}});
-  plan_->add<Together<passes::Count>>(name("count masked texels"), counts);
-}
-
-// Lists the tiles that hold light, and clears the others in every map that the blurs write.
+// Finds the tiles that are lit and blurred, and clears the maps, whose other tiles taps may read.
 void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
-  std::vector<passes::IdleTiles::In::Map> maps{{.light = scratch_}};
-  for (std::uint32_t i = 0; i < blurred_.size(); ++i) maps.push_back({.light = blurred_[i], .term = i});
-  plan_->add<passes::ClearBuffers>(name("clear tiles"), {{lit_.counts, lit_.arguments}});
-  plan_->add<passes::TileClasses>(name("tile classes"), {light_, lit_}, {all});
-  plan_->add<passes::Tiles>(name("tiles"), {lit_, screen_->counters()},
+  std::vector<frame::TextureId> maps{light_, scratch_};
+  maps.insert(maps.end(), transmitted_.begin(), transmitted_.end());
+  maps.insert(maps.end(), blurred_.begin(), blurred_.end());
+  plan_->add<passes::ClearTexels>(name("clear light"), {maps}, {.squares = all});
+
+  plan_->add<passes::ClearBuffers>(name("clear tiles"), {{tiles_.marks, tiles_.counts, tiles_.arguments}});
+  plan_->add<passes::SeenTiles>(
+      name("seen tiles"), {tiles_},
+      {.squares = all, .cull = settings_->optimise.cull, .clip = settings_->optimise.clip});
+  plan_->add<passes::GutterTiles>(name("gutter tiles"), {tiles_}, {.squares = all});
+  plan_->add<passes::Tiles>(name("tiles"), {tiles_, screen_->counters()},
                             {.squares = all,
                              .first_slot = square_counter(*settings_, 0, 0, counter_tiles),
                              .slots_per_instance = counter_head_stride(*settings_),
                              .slots_per_mesh = counter_mesh_stride});
-  plan_->add<passes::IdleTiles>(name("idle tiles"), {lit_, maps}, {.squares = all});
+}
+
+// Finds which triangle each texel shows.
+void LightMaps::add_texel_map(const std::vector<MapSquare>& all) {
+  const Optimise& optimise = settings_->optimise;
+  std::vector<std::uint32_t> unwraps;
+  std::vector<bool> overlapping;
+  for (const SkinPart& part : settings_->skin) {
+    unwraps.push_back(part.unwrap);
+    overlapping.push_back((optimise.cull || optimise.clip) && part.overlaps);
+  }
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_},
+                               {all, unwraps, overlapping, optimise.cull, optimise.clip});
 }
 
 }  // namespace dermis::techniques

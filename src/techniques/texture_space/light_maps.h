@@ -5,19 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "passes/irradiance/irradiance_texels.h"
-#include "passes/kept_triangles.h"
+#include "passes/irradiance/irradiance.h"
 #include "passes/light_pool.h"
 #include "passes/tile_lists.h"
 #include "techniques/screen.h"
 #include "techniques/texture_space/map_pool.h"
 
 namespace dermis::techniques {
-
-/// Returns whether texels stay unlit (cull, clip), so that convolutions may skip them.
-inline bool is_sparse(const FrameSettings& settings) {
-  return settings.optimise.cull || settings.optimise.clip;
-}
 
 /// Returns the side of the maps of the metric, texels.
 inline std::uint32_t stretch_side_of(const FrameSettings& settings) {
@@ -41,7 +35,7 @@ class LightMaps {
   const MapPool& pool() const { return pool_; }
   frame::TextureId light() const { return light_; }                          ///< what the first blur reads
   frame::TextureId scratch() const { return scratch_; }                      ///< between both axes of a blur
-  const passes::TileLists& lit() const { return lit_; }                      ///< tiles to blur, if sparse
+  const passes::TileLists& tiles() const { return tiles_; }                  ///< that are lit and blurred
   const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
   /// Returns the stretch map of a mesh. Meshes that take turns with a square take turns with this, too.
@@ -57,12 +51,8 @@ class LightMaps {
   void add_stretch(std::string_view what, const std::vector<passes::MapSquare>& squares, frame::Runs runs,
                    bool when_moved);
   void make_stretch();
-  void add_irradiance(const passes::Irradiance::Settings& settings);
-  void add_texels(const passes::Irradiance::Settings& settings, const passes::Irradiance::In& in);
-  void add_masks(const std::vector<passes::MapSquare>& all);
-  void add_dilation(const std::vector<passes::MapSquare>& all);
-  void add_masked_counts(const std::vector<passes::MapSquare>& all);
   void add_tiles(const std::vector<passes::MapSquare>& all);
+  void add_texel_map(const std::vector<passes::MapSquare>& all);
 
   passes::FramePlan* plan_;
   const FrameSettings* settings_;
@@ -70,13 +60,11 @@ class LightMaps {
   MapPool pool_;
   std::uint32_t turn_ = 0;  // of the pool
   frame::TextureId light_, scratch_;
-  passes::TileLists border_;  // tiles that Dilate fills; valid if the light is sparse
-  passes::TileLists lit_;     // tiles to blur; likewise
+  passes::TileLists tiles_;
   std::vector<frame::TextureId> blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head
   frame::TextureId host_irradiance_;           // valid if a host draws the light
-  passes::LitTexels texels_;                   // valid if texels are lit by a compute pass
-  passes::KeptTriangles kept_;                 // valid if triangles are culled
+  frame::TextureId texels_;                    // of passes::TexelMap
   std::vector<frame::TextureId> transmitted_;  // with translucency: of the second and third group of terms
 };
 

@@ -61,9 +61,8 @@ class Figures {
       return counters_[square_counter(settings_, head.head, i, which)];
     };
 
-    // Shader invocations of one convolution: what is not skipped of the used square.
-    std::uint64_t at_once = std::uint64_t{head.detail.side} * head.detail.side;
-    if (is_sparse(settings_)) at_once = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(counter_tiles);
+    // Shader invocations of one convolution: the tiles.
+    const std::uint64_t at_once = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(counter_tiles);
     irradiance_texels += counted(counter_lit_texels);
     convolved_texels += counted(counter_lit_texels) * work.terms;
     launched += counted(counter_lit_texels) + at_once * work.convolutions;
@@ -91,7 +90,7 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
 
   FrameReport report = screen_report(settings, counters, drawn);
   report.optimise = names_of(settings.optimise);
-  if (is_sparse(settings)) report.mask = "tiles";
+  if (settings.optimise.cull || settings.optimise.clip) report.mask = "tiles";
   report.translucency = settings.translucency;
   report.shape_aware = std::any_of(settings.skin.begin(), settings.skin.end(),
                                    [](const SkinPart& part) { return part.profile.shape.has_value(); });

@@ -100,17 +100,9 @@ TEST(Bulge, OfSkinThatIsComputed) {
   expect_linear(check(coarse_sphere(), s), disc);
 }
 
-TEST(Bulge, OfTexelsThatAreDrawn) {
+TEST(Bulge, OfTexels) {
   RenderSettings s = plain("texture-space");
   s.output.show = "irradiance";
-  s.quality.irradiance = IrradianceBy::raster;
-  expect_linear(check(coarse_sphere(), s), charts);
-}
-
-TEST(Bulge, OfTexelsThatAreComputed) {
-  RenderSettings s = plain("texture-space");
-  s.output.show = "irradiance";
-  s.quality.irradiance = IrradianceBy::compute;
   expect_linear(check(coarse_sphere(), s), charts);
 }
 
@@ -138,7 +130,6 @@ TEST(Bulge, GrowsWithTheBody) {
 
   s = plain("texture-space");
   s.output.show = "irradiance";
-  s.quality.irradiance = IrradianceBy::compute;
   expect_linear(check(coarse_sphere(), s, 3), charts);
 }
 

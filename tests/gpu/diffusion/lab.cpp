@@ -11,13 +11,17 @@
 #include "image/colour.h"
 #include "passes/bindings.h"
 #include "passes/blur/blur.h"
+#include "passes/clear_buffers.h"
+#include "passes/clear_texels/clear_texels.h"
 #include "passes/frame_data.h"
 #include "passes/gutters/gutters.h"
 #include "passes/light_pool.h"
 #include "passes/move_rig/move_rig.h"
 #include "passes/shaders.h"
 #include "passes/stretch/stretch.h"
+#include "passes/tiles/tiles.h"
 #include "scene/unwrap.h"
+#include "shared/tiles_io.h"
 
 namespace dermis::test_diffusion {
 std::span<const std::uint32_t> find_shader(std::string_view name);
@@ -66,6 +70,26 @@ class Paint {
 
  private:
   const gpu::Pipeline* pipeline_ = nullptr;
+};
+
+/// Marks all tiles of a map as seen.
+class SeeAllTiles {
+ public:
+  struct Settings {
+  } settings;
+  struct In {
+    passes::TileLists lists;
+  } in;
+  struct Out {};
+
+  Out declare(frame::Declare& d) {
+    d.kind(frame::PassKind::copy);
+    d.copy_to(in.lists.marks);
+    return {};
+  }
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const passes::FrameData&) const {
+    cmd.fill(resources.buffer(in.lists.marks), TILE_SEEN);
+  }
 };
 
 std::span<const std::uint32_t> find_any(std::string_view name) {
@@ -175,6 +199,12 @@ Result run(const Experiment& e) {
   plan.add<Gutters>("paint gutters", {painted}, {.squares = whole});
   plan.read_back(painted);
 
+  const passes::TileLists tiles = passes::make_tile_lists(plan, 1, side, 1);
+  const frame::BufferId counters = plan.buffer("counters", {.bytes = sizeof(std::uint32_t)});
+  plan.add<passes::ClearBuffers>("clear tiles", {{tiles.counts, tiles.arguments}});
+  plan.add<SeeAllTiles>("see all tiles", {tiles});
+  plan.add<passes::Tiles>("tiles", {tiles, counters}, {.squares = whole});
+
   std::vector<frame::TextureId> levels;
   frame::TextureId light = painted;
   bool first = true;
@@ -182,9 +212,10 @@ Result run(const Experiment& e) {
   for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
     const double v = step.variance_mm2 * e.variance_factor;
     const frame::TextureId target = plan.texture("level", desc);
-    plan.add<passes::Blur>("u", {light, stretch, scratch},
+    plan.add<passes::ClearTexels>("clear", {{scratch, target}}, {whole});
+    plan.add<passes::Blur>("u", {light, stretch, scratch, tiles},
                            {.squares = whole, .variance_mm2 = v, .axis = 0, .texel_averaged = first});
-    plan.add<passes::Blur>("v", {scratch, stretch, target},
+    plan.add<passes::Blur>("v", {scratch, stretch, target, tiles},
                            {.squares = whole, .variance_mm2 = v, .axis = 1, .texel_averaged = first});
     plan.add<Gutters>("gutters", {target}, {.squares = whole});
     plan.read_back(target);

@@ -205,7 +205,7 @@ Statistics of_row(int heads, double distance, double budget_mb) {
 
 // Heads beyond the budget come in batches: memory holds their lights and shadow matrices, nothing else.
 TEST(MemoryOfHeads, DoesNotGrowWithTheNumberOfHeads) {
-  const Statistics few = of_row(4, 3, 12), many = of_row(16, 3, 12);
+  const Statistics few = of_row(8, 3, 12), many = of_row(16, 3, 12);
   ASSERT_EQ(std::ranges::max(few.used_size), 256);
   EXPECT_EQ(many.image_bytes, few.image_bytes);
   EXPECT_LE(many.peak_bytes, few.peak_bytes + 12 * 65536);

@@ -29,7 +29,6 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
   s.camera.heads = 5;
   s.lighting.rig_lights = 3;
   s.quality.shading = Shading::compute;
-  s.quality.irradiance = IrradianceBy::compute;
 
   for (const Variant& v : variants_of(s)) {
     SCOPED_TRACE(v.key);
@@ -38,22 +37,15 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.lighting.rig_lights, 3);
     EXPECT_EQ(v.settings.quality.samples, s.quality.samples);
     const bool floor = v.key == floor_key || v.key == compute_floor_key;
-    const bool steps = v.key.starts_with("all_") && v.key != at_edge_key,
-               beyond = steps || v.key == compute_key || v.key == still_key;
+    const bool beyond = v.key == compute_key || v.key == still_key;
     EXPECT_EQ(v.settings.technique, floor ? "lambert" : beyond ? "texture-space" : "published");
     EXPECT_EQ(v.settings.quality.skip_unseen_heads, v.key != baseline_key);
 
-    const bool compute = v.key == shading_key || v.key == compute_key || v.key == still_key,
-               all = v.key == optimised_key || v.key == at_edge_key || compute || v.key == texels_key;
-    if (v.settings.technique != "published") {  // which has one way for each
+    const bool compute = v.key == compute_key || v.key == still_key,
+               all = v.key == optimised_key || v.key == at_edge_key || compute;
+    if (v.settings.technique != "published")  // which has one way
       EXPECT_EQ(v.settings.quality.shading,
                 compute || v.key == compute_floor_key ? Shading::compute : Shading::raster);
-      const std::optional<IrradianceBy> by = v.settings.quality.irradiance;
-      if (v.key == compute_key || v.key == still_key)
-        EXPECT_FALSE(by) << "the fastest on each kind of device";
-      else
-        EXPECT_EQ(by, v.key == texels_key ? IrradianceBy::compute : IrradianceBy::raster);
-    }
     EXPECT_EQ(v.settings.quality.keep_shadows, v.key == still_key);
     EXPECT_EQ(v.settings.quality.cull, all || v.key == "cull");
     EXPECT_EQ(v.settings.quality.depth, all || v.key == "depth");
@@ -61,9 +53,9 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.quality.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
   }
 
-  EXPECT_EQ(variants_of(s).size(), 13u);
+  EXPECT_EQ(variants_of(s).size(), 11u);
   s.quality.clip_margin_mm = 0;
-  EXPECT_EQ(variants_of(s).size(), 12u) << "all is at the edge already";
+  EXPECT_EQ(variants_of(s).size(), 10u) << "all is at the edge already";
 }
 
 // Other programs read these; more may be added.
@@ -109,7 +101,7 @@ TEST(RunTable, OursNextToThePapers) {
   EXPECT_NE(paper_table(run).find("2.00 (-)"), std::string::npos);
   EXPECT_NE(paper_table(run).find("6.00 (-)"), std::string::npos);
   const std::string line = table_line(run.cells.front());
-  for (const char* part : {"2.00", "1.90", "1.17", "1.82", "0.91", "45.50", "0.0125", " 64\n"})
+  for (const char* part : {"2.00", "1.90", "1.17", "1.54", "0.77", "45.50", "0.0125", " 64\n"})
     EXPECT_NE(line.find(part), std::string::npos) << part << line;
   // Headings stand over their columns: bars of both at the same places.
   const std::string head = table_head(run), headings = head.substr(head.rfind('\n', head.size() - 2) + 1);

@@ -32,8 +32,9 @@ TEST(Passes, HaveTheirGroups) {
   EXPECT_EQ(group("shadow"), "shadow maps");
   EXPECT_EQ(group("entering"), "shadow maps");
   EXPECT_EQ(group("irradiance gutters"), "irradiance");
+  EXPECT_EQ(group("seen tiles batch 2"), "irradiance");
   EXPECT_EQ(group("cull triangles batch 2"), "irradiance");
-  EXPECT_EQ(group("border tile classes"), "masks and borders");
+  EXPECT_EQ(group("depth mask batch 1"), "masks and borders");
   EXPECT_EQ(group("blur 5 gutters"), "convolutions");
   EXPECT_EQ(group("halve 1/2"), "convolutions");
   EXPECT_EQ(group("final"), "sum and specular");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One listed texel of the head's light, computed; what is not written stays unlit. GROUPS: as lit_texel.glsl.
+// One texel of the head's light; what is not written stays unlit. GROUPS: as lit_texel.glsl.
 #define COMPUTE_SHADING
 #include "shared/scene_io.h"
 #include "passes/irradiance/lit_texel.glsl"
@@ -16,11 +16,8 @@ void main() {
   const ListedTexel listed = listed_texel();
   if (!listed.listed) return;
   const Corners k = corners_at(corners_of(listed.triangle), listed.texel);
-  if (!is_seen(k)) return;
-
   const TexelPoint t = texel_point(k);
   const LitTexel lit = lit_texel(t.s, k.centre, t.chart, cut_texel(t.s, t.alpha_reach));
-  if (cut_out && lit.group[0].a == 0.0) return;
 
   const ivec2 p = listed.texel + ivec2(io.origin);
   imageStore(light, p, lit.group[0]);

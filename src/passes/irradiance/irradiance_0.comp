@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #define GROUPS 0
-#include "passes/irradiance/irradiance_texels.glsl"
+#include "passes/irradiance/irradiance.glsl"

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #define GROUPS 3
-#include "passes/irradiance/irradiance_raster.glsl"
+#include "passes/irradiance/irradiance.glsl"

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// One texel of the head's light, as irradiance.glsl, from irradiance that a host has drawn there. Alpha 0:
+// it has not.
+#version 460
+#define COMPUTE_SHADING
+#include "shared/scene_io.h"
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/cut_chart.glsl"
+#include "passes/irradiance/texel.glsl"
+layout(binding = 24) uniform sampler2D host_irradiance;
+layout(binding = 36, rgba16f) uniform writeonly image2D light;
+
+void main() {
+  const ListedTexel listed = listed_texel();
+  if (!listed.listed) return;
+  const ivec2 p = listed.texel + ivec2(io.origin);
+  const vec4 e = texelFetch(host_irradiance, p, 0);
+  if (e.a == 0.0) return;
+
+  const TexelPoint t = texel_point(corners_at(corners_of(listed.triangle), listed.texel));
+  const CutTexel cut = cut_texel(t.s, t.alpha_reach);
+  const bool cut_away = cut_out && is_cut(cut.uv, cut.colour);
+  const float chart = cut_away ? BORDER_ALPHA : t.chart;
+  const vec3 albedo = cut_away ? albedo_beside(cut) : skin_albedo(t.s);
+  const vec3 before = albedo_power(albedo, material.mix_before);
+  imageStore(light, p, vec4(storable(e.rgb * before * (frame.radiance_scale / pi)), chart));
+}

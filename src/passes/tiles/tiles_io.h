@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#ifndef DERMIS_PASSES_TILES_IO_H
+#define DERMIS_PASSES_TILES_IO_H
+#include "shared/cull_io.h"
+#include "shared/types.h"
+DERMIS_IO_BEGIN
+// Triangles of one material in a square of the light maps.
+struct SeenTilesIo {
+  CullIo cull;
+  uint first, count;  // of the triangles
+  uint side;          // T, texels
+  uint first_tile;    // of the square's marks
+  uint list;          // of the material, among those of the square
+};
+struct GutterTilesIo {
+  uint count;  // of the gutters
+  uint side;
+  uint first_tile;
+};
+struct TilesIo {
+  uint side;
+  uint first_tile;
+  uint first_list, lists;  // of the square
+  uint room;               // entries of a list
+  uint slot;               // of the counters: tiles to blur
+};
+DERMIS_IO_END
+#ifdef __cplusplus
+static_assert(sizeof(dermis::io::SeenTilesIo) == 28);
+#endif
+#endif
