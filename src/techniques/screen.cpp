@@ -343,16 +343,14 @@ void Screen::add_display(FrameOutputs& out) {
 
   // Light shines into the lens; a colour of the display does not.
   if (behind.is_light())
-    out.picture = plan_->add<passes::Background>("background", {out.picture, open, {}}, {behind}).picture;
-  const frame::TextureId sharp = out.picture;
-  if (settings_.bloom > 0) out.picture = passes::add_bloom(*plan_, out.picture, settings_.bloom);
-  if (is_colour)
-    out.picture = plan_->add<passes::Background>("background", {out.picture, open, sharp}, {behind}).picture;
-
-  out.display = plan_
-                    ->add<passes::ToneMap>("tone map", {out.picture, is_colour ? open : frame::TextureId{}},
-                                           {settings_.tone_map, behind.srgb})
-                    .display;
+    out.picture = plan_->add<passes::Background>("background", {out.picture, open}, {behind}).picture;
+  passes::ToneMap::Settings tone_map{
+      .tone_map = settings_.tone_map, .behind_srgb = behind.srgb, .bloom = settings_.bloom};
+  if (settings_.bloom > 0) tone_map.spread = passes::add_bloom(*plan_, out.picture);
+  const passes::ToneMap::Out shown =
+      plan_->add<passes::ToneMap>("tone map", {out.picture, is_colour ? open : frame::TextureId{}}, tone_map);
+  out.picture = shown.light;
+  out.display = shown.display;
 }
 
 FrameOutputs Screen::finish() {
@@ -372,7 +370,7 @@ FrameOutputs Screen::finish() {
   add_display(out);
   if (settings_.labels) add_labels(out);
   plan_->read_back(out.before_bloom);
-  if (out.picture != out.before_bloom) plan_->read_back(out.picture);
+  plan_->read_back(out.picture);
   plan_->read_back(out.display);
   plan_->read_back(shadow_);
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)

@@ -9,15 +9,9 @@
 namespace dermis::cli::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 // A device that was idle needs a while to come up to its clocks: rounds are drawn and thrown away until this
 // much has gone by.
-constexpr double warm_up_ms = 300;
+constexpr double warm_up_ms = 1000;
 
 }  // namespace
 
@@ -33,16 +27,19 @@ Contest::Contest(Renderer& renderer, const Scene& scene, std::vector<Variant> va
 }
 
 Picture Contest::warm_up(std::size_t i) {
-  const auto start = Clock::now();
   Picture picture = frames_.warm_up(i);
-  warm_ms_ += ms_since(start);
   entries_[i].measured.counts = picture.statistics;
   return picture;
 }
 
 void Contest::wake_the_device(const std::function<bool()>& stopped) {
-  while (warm_ms_ < warm_up_ms && !stopped())
-    for (std::size_t i = 0; i < size(); ++i) warm_ms_ += frames_.draw(i);
+  const auto start = std::chrono::steady_clock::now();
+  const auto is_awake = [&] {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() >
+           warm_up_ms;
+  };
+  while (!is_awake() && !stopped())
+    for (std::size_t i = 0; i < size() && !is_awake() && !stopped(); ++i) frames_.draw(i);
 }
 
 void Contest::draw(std::size_t i) {

@@ -21,7 +21,7 @@ class Contest {
   std::size_t size() const { return entries_.size(); }
   const Measured& measured(std::size_t i) const { return entries_[i].measured; }
 
-  /// The first frame of a variant: warms up, counts, and is the picture.
+  /// The first frame of a variant: makes what it needs, counts, and is the picture.
   Picture warm_up(std::size_t i);
   /// Draws rounds and throws them away until the device had time to come up to its clocks, or is to stop.
   void wake_the_device(const std::function<bool()>& stopped);
@@ -38,7 +38,6 @@ class Contest {
   };
 
   HeldFrames frames_;
-  double warm_ms_ = 0;
   std::vector<Entry> entries_;
 };
 

@@ -43,6 +43,7 @@ ordered_json cell_json(const Cell& cell) {
     json[fmt::format("speedup_{}", key)] = or_null(cell.speedup_of(key, baseline_key));
     json[fmt::format("{}_over_all", key)] = or_null(cell.speedup_of(key, optimised_key));
     json[fmt::format("{}_over_lambert", key)] = or_null(cell.speedup_of(key, compute_floor_key));
+    json[fmt::format("{}_minus_lambert_ms", key)] = or_null(cell.ms_over(key, compute_floor_key));
   }
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
 
@@ -96,6 +97,11 @@ const Measured& Cell::of(const std::string& key) const {
 std::optional<double> Cell::speedup_of(const std::string& key, const std::string& over) const {
   if (!has(key)) return std::nullopt;
   return of(over).ms() / of(key).ms();
+}
+
+std::optional<double> Cell::ms_over(const std::string& key, const std::string& floor) const {
+  if (!has(key) || !has(floor)) return std::nullopt;
+  return of(key).ms() - of(floor).ms();
 }
 
 const PictureDifference* Cell::difference(const std::string& key) const {

@@ -49,6 +49,8 @@ struct Cell {
   double speedup_over_skipping() const { return of(skipping_key).ms() / of(optimised_key).ms(); }
   /// Returns how many times faster than another variant one is; none: the cell has it not.
   std::optional<double> speedup_of(const std::string& key, const std::string& over) const;
+  /// Returns how many ms more than a frame without scattering (`floor`) a variant takes; none: likewise.
+  std::optional<double> ms_over(const std::string& key, const std::string& floor) const;
 };
 
 /// For the page: display pictures, cut to where skin is.

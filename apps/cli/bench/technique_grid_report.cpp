@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/bench/passes.h"
 #include "cli/bench/technique_grid.h"
@@ -18,6 +19,15 @@ namespace dermis::cli::bench {
 namespace {
 
 std::string grid_ms(double ms) { return ms >= 100 ? fmt::format("{:.0f}", ms) : fmt::format("{:.3g}", ms); }
+
+// The time of a column, with what it takes beyond a frame without scattering if there is one.
+std::string column_text(const Cell& cell, const Measured& column) {
+  const std::optional<double> over = cell.ms_over(column.variant.key, "lambert");
+  if (!over || column.variant.key == "lambert") return grid_ms(column.ms());
+  return fmt::format("{} ({}{})", grid_ms(column.ms()), *over < 0 ? "-" : "+", grid_ms(std::abs(*over)));
+}
+
+std::size_t column_width(const Variant& column) { return std::max<std::size_t>(14, column.heading.size()); }
 
 std::string place_name(const Cell& cell, const RenderSettings& settings) {
   return fmt::format("{} head{} at {:g} radii, {:.1f} % skin", cell.heads, cell.heads == 1 ? "" : "s",
@@ -113,12 +123,11 @@ std::string technique_grid_head(const Run& run, const std::vector<Variant>& colu
   const RenderSettings& s = run.settings;
   std::string text = fmt::format(
       "{}: {}x{} pixels, maps of {}, shadow maps of {}, {} samples\nframes in ms, medians of {} rounds in "
-      "turns\n\n",
+      "turns; in brackets what is beyond lambert\n\n",
       run.scene, s.output.width, s.output.height, s.quality.map_size, s.quality.shadow_size,
       s.quality.samples, run.rounds);
   text += fmt::format("{:>5} {:>8} {:>6} |", "heads", "distance", "skin");
-  for (const Variant& column : columns)
-    text += fmt::format(" {:>{}}", column.heading, std::max<std::size_t>(9, column.heading.size()));
+  for (const Variant& column : columns) text += fmt::format(" {:>{}}", column.heading, column_width(column));
   return text + "\n";
 }
 
@@ -126,7 +135,7 @@ std::string technique_grid_line(const Cell& cell, const RenderSettings& settings
   std::string text =
       fmt::format("{:>5} {:>8g} {:>5.1f}% |", cell.heads, cell.distance, 100 * coverage_of(cell, settings));
   for (const Measured& m : cell.measured)
-    text += fmt::format(" {:>{}}", grid_ms(m.ms()), std::max<std::size_t>(9, m.variant.heading.size()));
+    text += fmt::format(" {:>{}}", column_text(cell, m), column_width(m.variant));
   return text + "\n";
 }
 
@@ -166,6 +175,7 @@ std::string technique_grid_json(const Run& run) {
       variant["light_reads"] = m.counts.light_reads;
       variant["shared_by_views_ms"] = views.shared_ms;
       variant["per_view_ms"] = views.per_view_ms;
+      if (const auto over = cell.ms_over(m.variant.key, "lambert")) variant["minus_lambert_ms"] = *over;
     }
     json["cells"].push_back(std::move(found));
   }
@@ -187,9 +197,10 @@ std::string technique_grid_page(const Run& run) {
   for (const Cell& cell : run.cells) {
     rows.push_back({std::to_string(cell.heads), fmt::format("{:g}", cell.distance),
                     fmt::format("{:.1f}", 100 * coverage_of(cell, run.settings))});
-    for (const Measured& m : cell.measured) rows.back().push_back(grid_ms(m.ms()));
+    for (const Measured& m : cell.measured) rows.back().push_back(column_text(cell, m));
   }
-  body += "<h2>Frames, ms</h2>\n" + grid(headings, rows) + "<div class=\"figures\">\n";
+  body += "<h2>Frames, ms, in brackets what is beyond lambert</h2>\n" + grid(headings, rows) +
+          "<div class=\"figures\">\n";
 
   const std::vector<double> distances = distances_of(run.cells);
   std::vector<Line> names;

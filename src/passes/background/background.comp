@@ -11,7 +11,6 @@ layout(constant_id = 0) const uint kind = BEHIND_STUDIO;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { BackgroundIo io; };
 layout(binding = 0) uniform sampler2D picture;
-layout(binding = 1) uniform sampler2D sharp;
 layout(binding = 2) uniform sampler2D open;
 layout(binding = 4) uniform sampler2D environment_picture;
 layout(binding = 5, rgba16f) uniform writeonly image2D target;
@@ -45,9 +44,7 @@ void main() {
   vec3 sum = light.rgb;
   if (share > 0.0) {
     const vec2 middle = vec2(p) + 0.5 - 0.5 * vec2(size);
-    if (kind == BEHIND_COLOUR)
-      sum = mix(light.rgb, texelFetch(sharp, p, 0).rgb, share) + share * io.colour;
-    else if (kind == BEHIND_STUDIO)
+    if (kind == BEHIND_STUDIO)
       sum += share * frame.radiance_scale * wall(middle / float(size.y));
     else
       sum += share * frame.radiance_scale * surroundings(middle * vec2(2.0, -2.0) / vec2(size));

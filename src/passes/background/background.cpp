@@ -2,7 +2,6 @@
 #include "passes/background/background.h"
 
 #include "frame/resources.h"
-#include "image/colour.h"
 #include "passes/background/background_io.h"
 #include "passes/bindings.h"
 
@@ -10,7 +9,6 @@ namespace dermis::passes {
 
 static_assert(static_cast<std::uint32_t>(Behind::Kind::studio) == BEHIND_STUDIO);
 static_assert(static_cast<std::uint32_t>(Behind::Kind::environment) == BEHIND_ENVIRONMENT);
-static_assert(static_cast<std::uint32_t>(Behind::Kind::colour) == BEHIND_COLOUR);
 
 Background::Out Background::declare(frame::Declare& d) {
   compute(d, "background.comp", {{"kind", static_cast<std::uint32_t>(settings.behind.kind)}});
@@ -19,7 +17,6 @@ Background::Out Background::declare(frame::Declare& d) {
   out_.picture = d.create("picture and background", desc);
   d.sample(in.picture);
   d.sample(in.open);
-  if (in.sharp.valid()) d.sample(in.sharp);
   d.write(out_.picture);
   return out_;
 }
@@ -34,18 +31,14 @@ void Background::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   const gpu::Texture* const shown = frame.environment_picture;
   Bindings()
       .add("picture", resources.nearest(in.picture))
-      .add("sharp", resources.nearest(in.sharp.valid() ? in.sharp : in.picture))
       .add("open", resources.nearest(in.open))
       .add("Frame", frame.frame_io)
       .add("environment_picture", gpu::SampledBinding{shown ? shown : &nothing, around_})
       .add("target", resources.storage(out_.picture))
       .bind(cmd, pipeline());
 
-  const glm::vec3& srgb = settings.behind.srgb;
-  const io::BackgroundIo io{
-      .world_from_clip = glm::inverse(frame.camera.clip_from_world),
-      .colour = {image::srgb_to_linear(srgb.x), image::srgb_to_linear(srgb.y), image::srgb_to_linear(srgb.z)},
-      .has_picture = shown ? 1u : 0u};
+  const io::BackgroundIo io{.world_from_clip = glm::inverse(frame.camera.clip_from_world),
+                            .has_picture = shown ? 1u : 0u};
   const gpu::TextureDesc& desc = resources.texture(out_.picture).desc();
   dispatch(cmd, io, desc.width, desc.height);
 }

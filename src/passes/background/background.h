@@ -11,14 +11,11 @@ namespace dermis::passes {
 class Background : public ComputePass {
  public:
   struct Settings {
-    Behind behind;  ///< not black
+    Behind behind;  ///< light
   } settings;
   struct In {
     frame::TextureId picture;  ///< RGBA16F, one sample, black where nothing is
     frame::TextureId open;     ///< of OpenShare
-    /// The picture before bloom. Light that bloom has spread is left out where a colour stands behind; not
-    /// valid: there is no bloom in `picture`.
-    frame::TextureId sharp;
   } in;
   struct Out {
     frame::TextureId picture;  ///< as that of In, alpha too

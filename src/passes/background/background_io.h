@@ -5,11 +5,9 @@
 // The values of specialisation constant `kind`: those of passes::Behind.
 #define BEHIND_STUDIO 1u
 #define BEHIND_ENVIRONMENT 2u
-#define BEHIND_COLOUR 3u
 DERMIS_IO_BEGIN
 struct BackgroundIo {
   mat4 world_from_clip;
-  vec3 colour;       // linear, of BEHIND_COLOUR
   uint has_picture;  // of the environment
 };
 DERMIS_IO_END

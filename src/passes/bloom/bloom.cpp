@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "passes/bloom/bloom.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "frame/resources.h"
+#include "frame/together.h"
 #include "passes/bindings.h"
 
 namespace dermis::passes {
@@ -22,31 +20,23 @@ constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance =
 }  // namespace
 
 BloomStep::Out BloomStep::declare(frame::Declare& d) {
-  compute(d, in.smaller.valid() ? "bloom_mixed.comp" : "bloom.comp");
-  gpu::TextureDesc desc = d.desc(in.picture);
-  desc.usage = 0;
-  if (settings.mode == Mode::downsample) {
-    desc.width = (desc.width + 1) / 2;
-    desc.height = (desc.height + 1) / 2;
-  }
-  target_ = d.create("bloom", desc);
+  compute(d, "bloom.comp");
   d.read(in.picture);
-  if (in.smaller.valid()) d.sample(in.smaller);
-  d.write(target_);
-  return {target_};
+  d.write(in.target);
+  return {};
 }
 
 void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  const gpu::Texture& target = resources.texture(target_);
-  Bindings bindings;
-  bindings.add("picture", resources.storage(in.picture)).add("target", resources.storage(target_));
-  if (in.smaller.valid()) bindings.add("smaller", resources.linear(in.smaller));
-  bindings.bind(cmd, pipeline());
-  const io::BloomIo io{.mode = static_cast<std::uint32_t>(settings.mode),
+  Bindings()
+      .add("picture", resources.storage(in.picture))
+      .add("target", resources.storage(in.target))
+      .bind(cmd, pipeline());
+  const gpu::TextureDesc& target = resources.texture(in.target).desc();
+  dispatch(cmd,
+           io::BloomIo{.mode = static_cast<std::uint32_t>(settings.mode),
                        .sigma = settings.sigma,
-                       .share = settings.share,
-                       .halvings = settings.halvings};
-  dispatch(cmd, io, target.desc().width, target.desc().height);
+                       .halvings = settings.halvings},
+           target.width, target.height);
 }
 
 namespace {
@@ -76,38 +66,35 @@ OnLevel level_of(float variance) {
 
 }  // namespace
 
-frame::TextureId add_bloom(FramePlan& plan, frame::TextureId picture, float amount) {
-  const float radius_pixels = static_cast<float>(plan.textures()[picture.index].desc.height) / 12;
-  const OnLevel narrow = level_of(narrow_variance * radius_pixels * radius_pixels),
-                wide = level_of(wide_variance * radius_pixels * radius_pixels);
+Bloom add_bloom(FramePlan& plan, frame::TextureId picture) {
+  const gpu::TextureDesc full = plan.textures()[picture.index].desc;
+  const float radius_pixels = static_cast<float>(full.height) / 12;
+  Bloom bloom{.narrow = {.weight = narrow_weight / (narrow_weight + wide_weight)},
+              .wide = {.weight = wide_weight / (narrow_weight + wide_weight)}};
 
-  std::vector<frame::TextureId> halved{picture};
-  while (halved.size() <= std::max(narrow.halvings, wide.halvings)) {
-    const std::string name = fmt::format("bloom downsample 1/{}", 1u << halved.size());
-    halved.push_back(plan.add<BloomStep>(name, {halved.back()}, {.mode = Mode::downsample}).picture);
-  }
+  frame::Together<BloomStep>::In smaller, along_x, along_y;
+  const auto add = [&](const std::string& name, float variance, SpreadLight& spread) {
+    const OnLevel level = level_of(variance * radius_pixels * radius_pixels);
+    const std::uint32_t side = 1u << level.halvings;
+    gpu::TextureDesc desc = full;
+    desc.usage = 0;
+    desc.width = (full.width + side - 1) / side;
+    desc.height = (full.height + side - 1) / side;
+    const frame::TextureId start = plan.texture(name + " start", desc), x = plan.texture(name + " x", desc);
+    spread.picture = plan.texture(name, desc);
+    spread.halvings = level.halvings;
 
-  // Blur along x and y, the wide one first: the narrow one takes it in on its own, larger picture.
-  const auto blurred_x = [&](const std::string& name, const OnLevel& level) {
-    return plan.add<BloomStep>(name, {halved[level.halvings]}, {.mode = Mode::blur_x, .sigma = level.sigma})
-        .picture;
+    smaller.members.push_back({{picture, start}, {.mode = Mode::downsample, .halvings = level.halvings}});
+    along_x.members.push_back({{start, x}, {.mode = Mode::blur_x, .sigma = level.sigma}});
+    along_y.members.push_back({{x, spread.picture}, {.mode = Mode::blur_y, .sigma = level.sigma}});
   };
-  const frame::TextureId wide_x = blurred_x("bloom wide x", wide);
-  const frame::TextureId wide_light =
-      plan.add<BloomStep>("bloom wide y", {wide_x}, {.mode = Mode::blur_y, .sigma = wide.sigma}).picture;
-  const frame::TextureId narrow_x = blurred_x("bloom narrow x", narrow);
-  const frame::TextureId spread = plan.add<BloomStep>("bloom narrow y", {narrow_x, wide_light},
-                                                      {.mode = Mode::blur_y,
-                                                       .sigma = narrow.sigma,
-                                                       .share = wide_weight / (narrow_weight + wide_weight),
-                                                       .halvings = wide.halvings - narrow.halvings})
-                                      .picture;
+  add("bloom narrow", narrow_variance, bloom.narrow);
+  add("bloom wide", wide_variance, bloom.wide);
 
-  // Mix with the sharp picture.
-  return plan
-      .add<BloomStep>("bloom combine", {picture, spread},
-                      {.mode = Mode::combine, .share = amount, .halvings = narrow.halvings})
-      .picture;
+  plan.add<frame::Together<BloomStep>>("bloom downsample", smaller);
+  plan.add<frame::Together<BloomStep>>("bloom x", along_x);
+  plan.add<frame::Together<BloomStep>>("bloom y", along_y);
+  return bloom;
 }
 
 }  // namespace dermis::passes

@@ -16,32 +16,46 @@ static_assert(static_cast<std::uint32_t>(dermis::ToneMap::srgb) == TONE_MAP_SRGB
 static_assert(static_cast<std::uint32_t>(dermis::ToneMap::linear) == TONE_MAP_LINEAR);
 
 ToneMap::Out ToneMap::declare(frame::Declare& d) {
-  compute(d, in.open.valid() ? "tone_map_behind.comp" : "tone_map.comp",
-          {{"tone_map", static_cast<std::uint32_t>(settings.tone_map)}});
-  const gpu::TextureDesc& picture = d.desc(in.picture);
-  display_ = d.create("display", {.width = picture.width,
-                                  .height = picture.height,
-                                  .format = VK_FORMAT_R8G8B8A8_UNORM,
-                                  .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+  compute(d, "tone_map.comp",
+          {{"tone_map", static_cast<std::uint32_t>(settings.tone_map)},
+           {"blooms", blooms() ? 1u : 0u},
+           {"behind", in.open.valid() ? 1u : 0u}});
+  gpu::TextureDesc desc = d.desc(in.picture);
+  desc.usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  out_.light = d.create("light", desc);
+  desc.format = VK_FORMAT_R8G8B8A8_UNORM;
+  out_.display = d.create("display", desc);
   d.sample(in.picture);
   if (in.open.valid()) d.sample(in.open);
-  d.write(display_);
-  return {display_};
+  if (blooms())
+    for (const SpreadLight& spread : {settings.spread.narrow, settings.spread.wide}) d.sample(spread.picture);
+  d.write(out_.light);
+  d.write(out_.display);
+  return out_;
 }
 
 void ToneMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  const gpu::Texture& display = resources.texture(display_);
-  Bindings bindings;
-  bindings.add("picture", resources.nearest(in.picture)).add("display", resources.storage(display_));
-  if (in.open.valid()) bindings.add("open", resources.nearest(in.open));
-  bindings.bind(cmd, pipeline());
-  if (in.open.valid()) {
-    const glm::vec3& srgb = settings.behind_srgb;
-    cmd.push(pipeline(), io::BehindIo{.srgb = srgb,
-                                      .linear = {image::srgb_to_linear(srgb.x), image::srgb_to_linear(srgb.y),
-                                                 image::srgb_to_linear(srgb.z)}});
-  }
-  cmd.dispatch_over(pipeline(), display.desc().width, display.desc().height);
+  const SpreadLight &narrow = settings.spread.narrow, &wide = settings.spread.wide;
+  Bindings()
+      .add("picture", resources.nearest(in.picture))
+      .add("open", resources.nearest(in.open.valid() ? in.open : in.picture))
+      .add("narrow", resources.linear(blooms() ? narrow.picture : in.picture))
+      .add("wide", resources.linear(blooms() ? wide.picture : in.picture))
+      .add("light", resources.storage(out_.light))
+      .add("display", resources.storage(out_.display))
+      .bind(cmd, pipeline());
+
+  const glm::vec3& srgb = settings.behind_srgb;
+  const gpu::TextureDesc& size = resources.texture(out_.display).desc();
+  dispatch(cmd,
+           io::ToneMapIo{.srgb = srgb,
+                         .linear = {image::srgb_to_linear(srgb.x), image::srgb_to_linear(srgb.y),
+                                    image::srgb_to_linear(srgb.z)},
+                         .narrow = settings.bloom * narrow.weight,
+                         .wide = settings.bloom * wide.weight,
+                         .narrow_halvings = narrow.halvings,
+                         .wide_halvings = wide.halvings},
+           size.width, size.height);
 }
 
 }  // namespace dermis::passes

@@ -10,9 +10,10 @@
 #define TONE_MAP_SRGB 4u
 #define TONE_MAP_LINEAR 5u
 DERMIS_IO_BEGIN
-// The colour behind the heads.
-struct BehindIo {
-  vec3 srgb, linear;
+struct ToneMapIo {
+  vec3 srgb, linear;                    // the colour behind the heads
+  float narrow, wide;                   // shares of spread light, 0..1
+  uint narrow_halvings, wide_halvings;  // of their sizes, from the picture's
 };
 DERMIS_IO_END
 #endif

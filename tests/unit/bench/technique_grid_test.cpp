@@ -76,6 +76,19 @@ TEST(TechniqueGrid, TakesTheFastestColumnOfTheFirstTechnique) {
       << sentences[0];
 }
 
+TEST(TechniqueGrid, SaysWhatScatteringCosts) {
+  bench::Run run = two_techniques();
+  for (Cell& cell : run.cells) cell.measured.push_back(column("lambert", false, 2, 16, 5000));
+  const std::string line = technique_grid_line(run.cells[0], run.settings);
+  EXPECT_NE(line.find("30 (+12)"), std::string::npos) << line;
+  EXPECT_NE(line.find("25 (+7)"), std::string::npos) << line;
+  EXPECT_EQ(line.find("18 ("), std::string::npos) << line;
+  const auto json = nlohmann::json::parse(technique_grid_json(run));
+  EXPECT_EQ(json.at("cells")[0].at("variants").at("maps").at("minus_lambert_ms"), 12);
+  const auto without = nlohmann::json::parse(technique_grid_json(two_techniques()));
+  EXPECT_FALSE(without.at("cells")[0].at("variants").at("maps").contains("minus_lambert_ms"));
+}
+
 TEST(TechniqueGrid, JsonAndPageHaveEveryColumn) {
   const bench::Run run = two_techniques();
   const auto json = nlohmann::json::parse(technique_grid_json(run));
