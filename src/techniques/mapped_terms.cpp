@@ -55,14 +55,14 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
     if (terms.shares[i] == 0) terms.first_read = static_cast<std::uint32_t>(i) + 1;
   }
   terms.any = terms.first_read < mapped.size();
-  if (!terms.any || terms.first_read == 0) return terms;
+  if (!terms.any) return terms;
 
   // From the irradiance, one kernel reaches as far as the first step of blur_steps() does at T_max, counted
   // in texels of this map. The chain starts with the last step within that reach.
-  const double reach_mm = passes::kernel_max_sigma / part.max_texels_per_mm(detail.side);
+  const double reach_mm = passes::kernel_max_sigma / settings.chain_texels_per_mm(part, detail.side);
   double total_mm2 = 0;
   std::uint32_t number = 0, term = 0;
-  for (const passes::BlurStep& step : passes::blur_steps(mapped, settings.max_texels_per_mm(part))) {
+  for (const passes::BlurStep& step : passes::blur_steps(mapped, settings.chain_texels_per_mm(part))) {
     total_mm2 += step.variance_mm2;
     if (total_mm2 <= reach_mm * reach_mm) {
       terms.first_step = number;

@@ -130,7 +130,7 @@ class AddObject {
   // [DLE07] sec. 3.3: each Gaussian starts from the one before, narrow to wide.
   void add_convolutions() {
     const std::vector<std::size_t> groups = passes::transmission_groups(part_->profile.terms.size());
-    const std::vector<Step> steps = steps_of(part_->profile, s_->max_texels_per_mm(*part_));
+    const std::vector<Step> steps = steps_of(part_->profile, s_->chain_texels_per_mm(*part_));
     frame::TextureId light = maps_->irradiance;
     std::size_t term = 0;
 

@@ -25,7 +25,7 @@ void add_object(FrameReport& report, const FrameSettings& settings, std::span<co
   };
 
   const std::uint64_t terms = part.profile.terms.size(),
-                      convolutions = 2 * steps_of(part.profile, settings.max_texels_per_mm(part)).size();
+                      convolutions = 2 * steps_of(part.profile, settings.chain_texels_per_mm(part)).size();
   // With the alpha test fragments without light end early, but they start.
   const std::uint64_t at_once = mask_of(settings) == Mask::depth
                                     ? counted(counter_masked_texels)

@@ -40,7 +40,7 @@ class MakeChain {
     bool term_ended = false;
 
     for (const passes::BlurStep& step :
-         passes::blur_steps(part.mapped(), settings_->max_texels_per_mm(part))) {
+         passes::blur_steps(part.mapped(), settings_->chain_texels_per_mm(part))) {
       // A group of terms begins: its transmitted light joins before its first step.
       for (std::size_t g = 1; term_ended && settings_->translucency && g < groups.size(); ++g)
         if (groups[g] == term) add_transmitted(g);

@@ -24,7 +24,7 @@ Work work_of(const FrameSettings& settings, const SkinPart& part, const passes::
   Work work;
   if (!mapped.any) return work;
   std::size_t number = 0;
-  for (const passes::BlurStep& step : passes::blur_steps(part.mapped(), settings.max_texels_per_mm(part))) {
+  for (const passes::BlurStep& step : passes::blur_steps(part.mapped(), settings.chain_texels_per_mm(part))) {
     if (number++ < mapped.first_step) continue;
     work.convolutions += 2;
     if (step.ends_term) ++work.terms;
