@@ -333,6 +333,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
       file_under(truth_group, about, AddOption{command}("--" + std::string(about.option), about, value));
     });
   former_option(command, "--view", "is now --tone-map");
+  former_option(command, "--blur-resolution", "is gone: techniques in screen space blur the picture itself");
   former_option(command, "--irradiance", "is gone: the texels of light maps are always lit in compute");
   for (const char* gone : {"--maps", "--blur"})
     former_option(command, gone, "is gone: texture-space blurs narrow to wide, on one size of maps");

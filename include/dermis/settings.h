@@ -101,12 +101,6 @@ enum class ScreenKernel : std::uint8_t {
   ue          ///< of burley-disc alone: the profile, weighted as Unreal Engine does
 };
 
-/// In which picture techniques in screen space blur.
-enum class BlurResolution : std::uint8_t {
-  full,
-  half  ///< of half the width and height; what is blurred is spread over the pixels of the same surface
-};
-
 /// Details against time and memory; what is not computed because it is not seen.
 /// [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 to 5.
 struct QualitySettings {
@@ -133,8 +127,7 @@ struct QualitySettings {
   /// none: fastest on the kind of device. The targets of a host are always drawn into, and so is what ids
   /// cannot tell apart (docs/techniques.md).
   std::optional<Shading> shading{};
-  ScreenKernel kernel = ScreenKernel::profile;            ///< of techniques in screen space
-  BlurResolution blur_resolution = BlurResolution::full;  ///< likewise, of those that blur
+  ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
   std::optional<int> taps{};  ///< of their kernels, see docs/techniques.md; none: as many as usual
   /// distance, in sphere radii, at which a texel of a map of map_size is as large as a pixel; none: as it is.
   /// Light maps take their sizes from it.

@@ -179,8 +179,7 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.transmission_misses = report.transmission_misses;
   st.light_reads = report.light_reads;
   if (setup.technique->taps_per_pixel)
-    st.light_reads += report.skin_pixels * setup.technique->taps_per_pixel(setup.plan) /
-                      (setup.plan.half_resolution ? 4 : 1);
+    st.light_reads += report.skin_pixels * setup.technique->taps_per_pixel(setup.plan);
 
   if (!setup.technique->has_light_maps) return;
   st.used_size.resize(setup.heads.size());

@@ -20,9 +20,6 @@ template <>
 inline constexpr std::array<std::string_view, 3> names_of<ScreenKernel>{"profile", "published", "ue"};
 
 template <>
-inline constexpr std::array<std::string_view, 2> names_of<BlurResolution>{"full", "half"};
-
-template <>
 inline constexpr std::array<std::string_view, 6> names_of<ToneMap>{"natural", "neutral", "agx",
                                                                    "filmic",  "srgb",    "linear"};
 

@@ -104,12 +104,6 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .option = "kernel",
            .rebuilds = true,
            .real_time = true}},
-    Field{"blur_resolution",
-          &QualitySettings::blur_resolution,
-          {.help = "of techniques that blur in screen space: the picture's, or half its width and height",
-           .option = "blur-resolution",
-           .rebuilds = true,
-           .real_time = true}},
     Field{"taps",
           &QualitySettings::taps,
           {.help =
@@ -155,6 +149,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
 template <>
 inline constexpr std::array gone_from<QualitySettings>{
     Gone{"blur", {}, "texture-space blurs narrow to wide, on one size of maps"},
+    Gone{"blur_resolution", {}, "techniques in screen space blur the picture itself"},
     Gone{"maps", {}, "texture-space blurs narrow to wide, on one size of maps"},
     Gone{"irradiance", {}, "the texels of light maps are always lit in compute"},
     Gone{"mask", "tiles",

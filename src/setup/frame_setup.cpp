@@ -324,7 +324,6 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
 
   if (setup.technique->screen_space) {
     plan.kernel = s.quality.kernel;
-    plan.half_resolution = s.quality.blur_resolution == BlurResolution::half;
     plan.taps = static_cast<std::uint32_t>(s.quality.taps.value_or(0));
   }
 

@@ -2,8 +2,6 @@
 #include "techniques/screen_space.h"
 
 #include "core/assert.h"
-#include "passes/halve_skin/halve_skin.h"
-#include "passes/restore_skin/restore_skin.h"
 #include "techniques/screen.h"
 
 namespace dermis::techniques {
@@ -15,22 +13,6 @@ gaussians::Rgb scattered_share(const FrameSettings&, const SkinPart& part) {
 }
 
 namespace {
-
-frame::TextureId add_blur(passes::FramePlan& plan, const FrameSettings& settings,
-                          const passes::ScreenSurface& surface, const ScreenBlur& blur) {
-  if (!settings.half_resolution) return blur.add(plan, settings, surface);
-
-  FrameSettings half = settings;
-  half.width = (settings.width + 1) / 2;
-  half.height = (settings.height + 1) / 2;
-  const passes::ScreenSurface halved = plan.add<passes::HalveSkin>("halve skin", {surface}).surface;
-  passes::RestoreSkin::Settings restore;
-  for (const SkinPart& part : settings.skin)
-    restore.mm_per_unit.push_back(static_cast<float>(part.mm_per_unit));
-  return plan
-      .add<passes::RestoreSkin>("restore skin", {blur.add(plan, half, halved), halved, surface}, restore)
-      .light;
-}
 
 // Into the targets of a host skin goes first, whole. Heads that are lit in turn need their shadow maps again.
 void add_over_skin(Screen& screen, const std::vector<Batch>& batches) {
@@ -66,7 +48,7 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
     screen.add_blended(batch);
   }
 
-  if (s.has_skin()) screen.add_scattered(add_blur(plan, s, surface, blur), surface);
+  if (s.has_skin()) screen.add_scattered(blur.add(plan, s, surface), surface);
   if (s.host) add_over_skin(screen, batches);
   return screen.finish();
 }

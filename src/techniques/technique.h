@@ -148,7 +148,6 @@ struct FrameSettings {
   /// drawn. See can_shade_entries().
   bool shade_entries = false;
   ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
-  bool half_resolution = false;                 ///< they blur in a picture of half the size
   std::uint32_t taps = 0;                       ///< of their kernels; 0: as many as usual
 
   bool poses = false;         ///< some instance takes poses: passes::MoveRig

@@ -26,12 +26,10 @@ bool has_kernel(const techniques::Technique& technique, ScreenKernel kernel) {
   return kernel != ScreenKernel::ue || technique.ue_kernel;
 }
 
-// The points of one kernel and resolution of the blur.
+// The points of one kernel.
 void add_curve(const RenderSettings& common, const techniques::Technique& technique,
                std::vector<QualitySetting>& to) {
-  const bool half = common.quality.blur_resolution == BlurResolution::half;
-  const std::string curve = fmt::format("{}, kernel {}{}", technique.name, name_of(common.quality.kernel),
-                                        half ? ", half resolution" : "");
+  const std::string curve = fmt::format("{}, kernel {}", technique.name, name_of(common.quality.kernel));
   const std::uint32_t fixed = common.quality.kernel == ScreenKernel::published ? technique.taps.published : 0;
 
   for (const int taps : tap_counts) {
@@ -43,18 +41,14 @@ void add_curve(const RenderSettings& common, const techniques::Technique& techni
   }
 }
 
-// Techniques that only filter shadows have no blur to halve.
 void add_taps(const RenderSettings& common, const techniques::Technique& technique,
               std::vector<QualitySetting>& to) {
-  for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published, ScreenKernel::ue})
-    for (const BlurResolution resolution : {BlurResolution::full, BlurResolution::half}) {
-      if (!has_kernel(technique, kernel)) continue;
-      if (resolution == BlurResolution::half && !technique.taps_per_pixel) continue;
-      RenderSettings s = common;
-      s.quality.kernel = kernel;
-      s.quality.blur_resolution = resolution;
-      add_curve(s, technique, to);
-    }
+  for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published, ScreenKernel::ue}) {
+    if (!has_kernel(technique, kernel)) continue;
+    RenderSettings s = common;
+    s.quality.kernel = kernel;
+    add_curve(s, technique, to);
+  }
 }
 
 void add_maps(const RenderSettings& common, std::vector<QualitySetting>& to) {

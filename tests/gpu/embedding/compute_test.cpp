@@ -126,17 +126,14 @@ TEST_F(EmbeddedCompute, APartOfAnImageHoldsThePicture) {
 
 struct WayToShade {
   std::string technique;
-  BlurResolution resolution = BlurResolution::full;
   ScreenKernel kernel = ScreenKernel::profile;
 };
 
 std::vector<WayToShade> all_ways() {
   std::vector<WayToShade> ways;
   for (const std::string& technique : other_than_published()) ways.push_back({technique});
-  ways.push_back({"separable", BlurResolution::half});
-  ways.push_back({"burley-disc", BlurResolution::half});
-  ways.push_back({"separable", BlurResolution::full, ScreenKernel::published});
-  ways.push_back({"screen-gaussians", BlurResolution::half, ScreenKernel::published});
+  for (const std::string technique : {"separable", "screen-gaussians"})
+    ways.push_back({technique, ScreenKernel::published});
   return ways;
 }
 
@@ -147,11 +144,9 @@ TEST_F(EmbeddedCompute, EveryTechniqueDrawsItsPicture) {
   Frame frame(setup_of({.samples = 4}, whole));
   for (const WayToShade& way : all_ways()) {
     SCOPED_TRACE(way.technique);
-    // At half the resolution pixels go in pairs, which begin elsewhere after an odd number of them.
-    const VkRect2D area{{way.resolution == BlurResolution::half ? 32 : 31, 14}, {side, side}};
+    const VkRect2D area{{31, 14}, {side, side}};
     RenderSettings settings = in_compute(4);
     settings.technique = way.technique;
-    settings.quality.blur_resolution = way.resolution;
     settings.quality.kernel = way.kernel;
     frame.frames->update(scene, settings);
     frame.draw({}, area);
@@ -181,7 +176,6 @@ TEST_F(EmbeddedCompute, BlursReadNothingBesideTheirPartOfAnImage) {
     Frame poisoned(setup);
     RenderSettings settings = in_compute();
     settings.technique = way.technique;
-    settings.quality.blur_resolution = way.resolution;
     settings.quality.kernel = way.kernel;
 
     for (const Scene& scene : {turned_head(), near})

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Variants of techniques in screen space that other renderers ship: half the resolution, and Unreal Engine's
-// weights.
+// Variants of techniques in screen space that other renderers ship: Unreal Engine's weights.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,58 +16,6 @@
 
 namespace dermis::tests {
 namespace {
-
-constexpr int half_width = plane_width / 2;
-
-// The light of a row of half the pixels, between two of them; 1 on its lit half if `row` is empty.
-double of_half_row(const std::vector<double>& row, double x) {
-  const auto value = [&](double i) {
-    const auto at = static_cast<std::size_t>(std::clamp(i, 0.0, half_width - 1.0));
-    return row.empty() ? (at < half_width / 2 ? 1.0 : 0.0) : row[at];
-  };
-  const double before = std::floor(x - 0.5), share = x - 0.5 - before;
-  return (1 - share) * value(before) + share * value(before + 1);
-}
-
-TEST(HalfResolution, IsTheKernelOnHalfThePixels) {
-  constexpr double pixels_per_mm = 3;
-  RenderSettings s = facing_plane("separable", pixels_per_mm);
-  s.quality.blur_resolution = BlurResolution::half;
-  const Picture picture = renderer().render(lit_edge(), s);
-
-  const std::vector<gaussians::LineTap> kernel = gaussians::line_spread_kernel(gaussians::skin_six(), 25);
-  double largest = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    std::vector<double> row(half_width);
-    for (int x = 0; x < half_width; ++x)
-      for (const gaussians::LineTap& tap : kernel)
-        row[static_cast<std::size_t>(x)] +=
-            tap.weight[c] * of_half_row({}, x + 0.5 + tap.offset * pixels_per_mm / 2);
-    for (int x = 1; x < plane_width - 1; ++x)
-      largest =
-          std::max(largest, std::abs(pixel(picture, x, middle_row)[c] - of_half_row(row, (x + 0.5) / 2)));
-  }
-  const auto [r, g, b] = distance_from_exact(picture, s, 1 / pixels_per_mm);
-  std::printf("half resolution: %.4f from its own kernel, %.4f %.4f %.4f from the exact edge\n", largest, r,
-              g, b);
-  EXPECT_LE(largest, 0.005);
-}
-
-// What it costs the picture, and that all blurs know it. A width or height that is odd has a last half pixel
-// of one.
-TEST(HalfResolution, KeepsTheLight) {
-  for (const std::string technique : {"screen-gaussians", "separable", "burley-disc"})
-    for (const int side : {64, 61}) {
-      SCOPED_TRACE(technique);
-      RenderSettings s = in_a_furnace(small_settings(technique, side));
-      s.lighting.specular = false;
-      s.quality.blur_resolution = BlurResolution::half;
-      const SkinRange skin = skin_range(renderer().render(sphere(0.05), s));
-      EXPECT_GT(skin.pixels, 500u);
-      EXPECT_GE(skin.low, 1 - 10 * half_rounding);
-      EXPECT_LE(skin.high, 1 + 10 * half_rounding);
-    }
-}
 
 // The share of a channel's light within a radius.
 double share_in(std::size_t c, double r_mm) {

@@ -37,7 +37,6 @@ constexpr Exception exceptions[] = {
     {"quality.map_budget_mb", "heads in the studio", "a head by itself takes one square"},
     {"quality.kernel", "in screen space", "light maps have no kernels in the picture"},
     {"quality.taps", "in screen space", "nor taps"},
-    {"quality.blur_resolution", "in screen space", "nor are they blurred in it"},
     {"skin.shape_aware", "a profile of a medium", "published ones know none"},
     {"skin.mix", "skin alone", "light must enter all that it falls on, and eyes and teeth are no skin"},
 };
