@@ -34,6 +34,7 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
   frame.pause();
   scene = wanted;
   inputs = wanted_inputs;
+  if (options.scattered || inputs.draw_irradiance) api::check_unwraps(frame.scene().subjects());
   records = api::HostRecords(frame.scene().subjects());
   ids = scene.instances();
   move.keep(frame.scene(), ids, inputs.deformed);

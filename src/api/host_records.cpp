@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "api/host_records.h"
 
+#include "core/error.h"
+
 namespace dermis::api {
+
+void check_unwraps(std::span<const setup::Subject* const> subjects) {
+  for (const setup::Subject* subject : subjects)
+    for (const scene::SkinMesh& mesh : subject->skin)
+      if (mesh.layers > 1)
+        throw input_error(subject->scene->name,
+                          "skin '{}' has charts on the same texture coordinates, which its light map holds "
+                          "apart: a host that reads or draws that light needs an unwrap without overlaps",
+                          mesh.name);
+}
 
 HostRecords::HostRecords(std::span<const setup::Subject* const> subjects) {
   for (const setup::Subject* subject : subjects) {

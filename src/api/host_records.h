@@ -22,6 +22,10 @@ struct HostRecord {
 };
 static_assert(sizeof(HostRecord) == 36);
 
+/// Throws InputError if the light map of some skin is not its texture coordinates, scaled and moved, by which
+/// shaders of a host find it: see scene::lay_charts_apart().
+void check_unwraps(std::span<const setup::Subject* const> subjects);
+
 /// Numbers the records: one per instance and skin mesh of its asset, in the order of the scene.
 class HostRecords {
  public:

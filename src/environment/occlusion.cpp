@@ -14,6 +14,7 @@
 #include "environment/texel_grid.h"
 #include "image/colour.h"
 #include "rays/ray_scene.h"
+#include "scene/coverage.h"
 
 namespace dermis::environment {
 namespace {
@@ -89,7 +90,11 @@ Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
 std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
                        const glm::dvec3& direction, int side) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
-  if (scene::skin_mesh_key(primitive) != mesh.key || !rays::is_skin(scene, primitive)) return itself;
+  const auto found =
+      std::ranges::lower_bound(mesh.primitives, hit.primitive, {}, &scene::PrimitiveTriangles::primitive);
+  if (found == mesh.primitives.end() || found->primitive != hit.primitive) return itself;
+  const std::size_t triangle = found->first_triangle + std::size_t{hit.triangle};
+  if (mesh.triangle_chart[triangle] == scene::no_chart) return itself;
 
   // Hits on the back of the skin come from inside.
   const std::uint32_t* index = &primitive.indices[3 * std::size_t{hit.triangle}];
@@ -98,9 +103,10 @@ std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, c
   const glm::dvec3 pa(a.position_m), pb(b.position_m), pc(c.position_m);
   if (glm::dot(glm::cross(pb - pa, pc - pa), direction) > 0) return itself;
 
-  const glm::dvec2 uv =
-      (1 - hit.u - hit.v) * glm::dvec2(a.uv0) + hit.u * glm::dvec2(b.uv0) + hit.v * glm::dvec2(c.uv0);
-  const glm::ivec2 at(glm::floor((uv * mesh.unwrap_scale + mesh.unwrap_offset) * static_cast<double>(side)));
+  const std::array<glm::vec2, 3> uv = scene::triangle_uv(mesh, triangle);
+  const glm::dvec2 there =
+      (1 - hit.u - hit.v) * glm::dvec2(uv[0]) + hit.u * glm::dvec2(uv[1]) + hit.v * glm::dvec2(uv[2]);
+  const glm::ivec2 at(glm::floor(there * static_cast<double>(side)));
   if (at.x < 0 || at.y < 0 || at.x >= side || at.y >= side) return itself;
   return static_cast<std::uint32_t>(at.y * side + at.x);
 }

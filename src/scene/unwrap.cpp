@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/assert.h"
+#include "scene/chart_layers.h"
 #include "scene/topology.h"
 #include "scene/unwrap_fit.h"
 
@@ -21,6 +22,7 @@ void append_primitive(SkinMesh& mesh, const Primitive& primitive, std::uint32_t 
     mesh.sources.push_back({primitive.source_mesh, source_vertex(primitive, v)});
     mesh.origins.push_back({number, v});
   }
+  mesh.primitives.push_back({number, static_cast<std::uint32_t>(mesh.indices.size() / 3)});
   for (const std::uint32_t index : primitive.indices) mesh.indices.push_back(base + index);
   mesh.triangle_material.insert(mesh.triangle_material.end(), primitive.indices.size() / 3,
                                 primitive.material);
@@ -70,8 +72,9 @@ void number_charts(std::vector<std::uint32_t>& chart, const std::vector<bool>& o
   }
 }
 
-/// Assigns charts, one per vertex, so that metric and chart id can be vertex attributes.
-void assign_charts(SkinMesh& mesh, const std::vector<bool>& on_map) {
+/// Assigns charts, one per vertex, so that metric and chart id can be vertex attributes. Returns the number
+/// of each triangle's, as number_charts() has it.
+std::vector<std::uint32_t> assign_charts(SkinMesh& mesh, const std::vector<bool>& on_map) {
   const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
   std::vector<std::uint32_t> chart = find_charts(topology, mesh.unwrap, mesh.indices);
   number_charts(chart, on_map);
@@ -92,6 +95,7 @@ void assign_charts(SkinMesh& mesh, const std::vector<bool>& on_map) {
     if (is_new) append_copy(mesh, index, glm::vec2(mesh.unwrap[index]));
     index = entry->second;
   }
+  return chart;
 }
 
 }  // namespace
@@ -116,7 +120,7 @@ std::vector<SkinMesh> skin_meshes(const Scene& scene) {
   for (SkinMesh& mesh : meshes) {
     const std::vector<bool> on_map = fit_unwrap(mesh);
     take_off_the_map(mesh, on_map);
-    assign_charts(mesh, on_map);
+    lay_charts_apart(mesh, assign_charts(mesh, on_map));
     compute_metric(mesh, scene.mm_per_unit);
   }
   return meshes;

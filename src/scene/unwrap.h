@@ -45,6 +45,11 @@ inline SkinMeshKey skin_mesh_key(const Primitive& primitive) {
           .material = primitive.has_uv && !primitive.own_light_map ? -1 : primitive.material};
 }
 
+/// Where the triangles of a primitive begin among those of its mesh.
+struct PrimitiveTriangles {
+  std::uint32_t primitive = 0, first_triangle = 0;
+};
+
 /// One head. Every vertex belongs to one chart (vertices between charts are split; copies are at the end).
 struct SkinMesh {
   std::string name;              ///< of the first primitive, for messages
@@ -55,7 +60,8 @@ struct SkinMesh {
   std::vector<PrimitiveVertex> origins;  ///< likewise
   /// triangles in the order of the scene's primitives, so each material is a few runs
   std::vector<std::uint32_t> indices;
-  std::vector<int> triangle_material;  ///< per triangle, index into Scene::materials
+  std::vector<int> triangle_material;          ///< per triangle, index into Scene::materials
+  std::vector<PrimitiveTriangles> primitives;  ///< ascending
   /// per vertex, 0..1, v down: position for texture-space passes; (0, 0) for triangles without a chart
   std::vector<glm::vec2> unwrap;
   /// per vertex: g_uu, g_uv, g_vv in mm^2 per unit of unwrap squared; finite, positive definite
@@ -65,7 +71,10 @@ struct SkinMesh {
   /// and is lit per pixel.
   std::vector<std::uint16_t> triangle_chart;
   int charts = 0;  ///< number of charts
-  /// unwrap = uv0 * scale + offset for triangles with a chart: see fit_unwrap()
+  /// Parts of the map on which charts that overlap lie side by side: see lay_charts_apart().
+  int layers = 1;
+  /// unwrap = uv0 * scale + offset for triangles with a chart: see fit_unwrap(). Of several layers each has
+  /// an offset of its own, and this one means nothing.
   glm::dvec2 unwrap_scale{1}, unwrap_offset{0};
   /// what fit_unwrap() did to the raw coordinates; empty if nothing
   std::string unwrap_note;

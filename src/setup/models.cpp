@@ -19,10 +19,6 @@
 namespace dermis::setup {
 namespace {
 
-// Share of the texels of an unwrap that triangles may share, and still have a fixed owner each: few texels
-// then show a triangle that is culled where the light of another is wanted, and are filled from beside them.
-constexpr double few_overlap = 0.01;
-
 // Sigma of light that a picture shows to have spread, whatever its pixels: that of narrower Gaussians is not
 // told from light that has not, beside the wider ones. Truth decides it: docs/techniques.md, "The next term".
 constexpr double wide_mm = 1;
@@ -104,7 +100,6 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   part.wide_mm = std::min(wide_mm / double{model.scale}, 0.5 * std::sqrt(part.profile.max_variance_mm2()));
 
   part.off_map = scene::has_chartless(mesh);
-  part.overlaps = subject.overlaps[number] > few_overlap;
   part.kinds.reset();
   for (const int index : mesh.triangle_material) {
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];

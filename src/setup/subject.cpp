@@ -16,7 +16,7 @@ Subject examine(std::shared_ptr<const scene::Scene> scene) {
   subject.skin = scene::skin_meshes(*scene);
   Steps steps("measuring the unwrap", subject.skin.size());
   for (const scene::SkinMesh& mesh : subject.skin) {
-    subject.overlaps.push_back(scene::warn_overlap(mesh));
+    scene::warn_overlap(mesh);
     subject.densities.push_back(scene::unwrap_density(mesh, scene->mm_per_unit));
     steps.done();
   }

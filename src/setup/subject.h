@@ -16,7 +16,6 @@ struct Subject {
   std::shared_ptr<const scene::Scene> scene;
   std::vector<scene::SkinMesh> skin;
   std::vector<scene::UnwrapDensity> densities;  ///< one per skin mesh
-  std::vector<double> overlaps;                 ///< likewise: scene::uv_overlap_fraction()
   scene::Bounds bounds;                         ///< of the skin
   scene::BoundingSphere casters;                ///< of everything: hair cards and collars cast shadows too
   std::vector<glm::vec3> caster_corners_m;      ///< scene::enclosing_corners() of the same

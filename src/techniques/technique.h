@@ -60,7 +60,6 @@ struct SkinPart {
   double least_uv_per_mm = 1;  ///< a twentieth of the skin has fewer
   double wide_mm = 0;          ///< sigma of the narrowest terms that light maps hold near by: map_side.h
   bool off_map = false;        ///< some of its triangles have no chart of the unwrap
-  bool overlaps = false;       ///< many of its triangles share texels
   bool cut_out = false;        ///< some of its materials have an alpha test
   std::bitset<passes::SkinKind::count> kinds = 1;  ///< of its materials: passes::SkinLook
   /// Returns the texels per mm of maps of this side that a twentieth of the skin exceeds.

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "passes/texel_map/texel_map.h"
 
-#include <algorithm>
-
 #include "frame/resources.h"
 #include "passes/bindings.h"
-#include "passes/cull.h"
 #include "passes/posed.h"
 
 namespace dermis::passes {
@@ -22,22 +19,16 @@ TexelMap::Out TexelMap::declare(frame::Declare& d) {
 }
 
 void TexelMap::prepare(gpu::PipelineLibrary& library) {
-  gpu::GraphicsDesc desc{.vertex = "texel_map.vert",
-                         .fragment = "texel_map.frag",
-                         .constants = {},
-                         .colour_formats = {VK_FORMAT_R32_UINT}};
-  whole_ = &library.graphics(desc);
-  if (std::ranges::find(settings.overlapping, true) == settings.overlapping.end()) return;
-  desc.vertex = "texel_map_seen.vert";
-  desc.constants = {{"cull", settings.cull ? 1u : 0u}, {"clip", settings.clip ? 1u : 0u}};
-  seen_ = &library.graphics(desc);
+  pipeline_ = &library.graphics({.vertex = "texel_map.vert",
+                                 .fragment = "texel_map.frag",
+                                 .constants = {},
+                                 .colour_formats = {VK_FORMAT_R32_UINT}});
 }
 
 bool TexelMap::must_draw(const FrameData& frame, const UsedSquare& square) const {
   if (!frame.kept_texels) return true;
-  const std::uint64_t unwrap = settings.unwraps[square.mesh] + 1, version = unwrap << 32 | square.side;
-  return frame.kept_texels->must_draw(in.map, square.index, 1,
-                                      settings.overlapping[square.mesh] ? 0 : version);
+  const std::uint64_t unwrap = settings.unwraps[square.mesh] + 1;
+  return frame.kept_texels->must_draw(in.map, square.index, 1, unwrap << 32 | square.side);
 }
 
 void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
@@ -46,21 +37,14 @@ void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fr
     if (!must_draw(frame, square)) continue;
     const Instance& instance = instance_of(frame, square);
     const std::uint32_t number = mesh_in_asset(frame, square);
-    const GpuMesh& mesh = instance.scene->skin[number];
+    const gpu::Buffer& indices = instance.scene->skin[number].indices;
     Bindings bindings;
     bindings.add("Frame", frame.frame_io).add("Head", instance.io);
     offer_mesh(instance, number, bindings);
 
     cmd.begin_rendering_area(std::span(&target, 1), {}, square.area(), true);
-    bindings.bind(cmd, *whole_);
-    cmd.draw(3 + static_cast<std::uint32_t>(mesh.indices.desc().bytes / sizeof(std::uint32_t)));
-    if (settings.overlapping[square.mesh]) {
-      bindings.bind(cmd, *seen_);
-      for (const GpuDraw& draw : mesh.draws) {
-        cmd.push(*seen_, cull_io(instance, instance.look->material(draw.material)));
-        cmd.draw(draw.index_count, 1, 3 + draw.first_index);
-      }
-    }
+    bindings.bind(cmd, *pipeline_);
+    cmd.draw(3 + static_cast<std::uint32_t>(indices.desc().bytes / sizeof(std::uint32_t)));
     cmd.end_rendering();
   }
 }

@@ -14,16 +14,13 @@ namespace dermis::passes {
 /// GpuMesh::indices, plus one; 0: none. `light`: a texture of the pool that is not halved.
 frame::TextureId make_texel_map(frame::FrameGraph& graph, gpu::TextureDesc light);
 
-/// Draws the squares that hold another unwrap or another T (FrameData::kept_texels). Where triangles overlap
-/// in the unwrap, the map is that of a frame: those that a pixel may show are drawn once more, and one that
-/// nobody sees does not take the texels of one that is seen.
+/// Draws the squares that hold another unwrap or another T (FrameData::kept_texels). Of triangles that share
+/// a texel the last one owns it; there are few (scene/chart_layers.h).
 class TexelMap {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
     std::vector<std::uint32_t> unwraps;  ///< number of the unwrap, by skin mesh of the plan
-    std::vector<bool> overlapping;       ///< likewise: its map is drawn in each frame
-    bool cull = true, clip = false;      ///< of SeenTiles
   } settings;
   struct In {
     frame::TextureId map;
@@ -35,7 +32,7 @@ class TexelMap {
 
  private:
   bool must_draw(const FrameData& frame, const UsedSquare& square) const;
-  const gpu::Pipeline *whole_ = nullptr, *seen_ = nullptr;
+  const gpu::Pipeline* pipeline_ = nullptr;
 };
 
 }  // namespace dermis::passes

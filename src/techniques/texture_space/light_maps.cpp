@@ -169,15 +169,9 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
 
 // Finds which triangle each texel shows.
 void LightMaps::add_texel_map(const std::vector<MapSquare>& all) {
-  const Optimise& optimise = settings_->optimise;
   std::vector<std::uint32_t> unwraps;
-  std::vector<bool> overlapping;
-  for (const SkinPart& part : settings_->skin) {
-    unwraps.push_back(part.unwrap);
-    overlapping.push_back((optimise.cull || optimise.clip) && part.overlaps);
-  }
-  plan_->add<passes::TexelMap>(name("texel map"), {texels_},
-                               {all, unwraps, overlapping, optimise.cull, optimise.clip});
+  for (const SkinPart& part : settings_->skin) unwraps.push_back(part.unwrap);
+  plan_->add<passes::TexelMap>(name("texel map"), {texels_}, {all, unwraps});
 }
 
 }  // namespace dermis::techniques

@@ -6,6 +6,8 @@
 
 #include "frame.h"
 #include "gpu/support/pictures.h"
+#include "gpu/support/scenes.h"
+#include "scene/primitives.h"
 #include "support/thrown.h"
 
 namespace dermis::tests {
@@ -92,6 +94,22 @@ TEST_F(EmbeddedHostility, OptionsOutOfRange) {
     EXPECT_NE(thrown<InputError>([&] { vulkan::HostFrames(renderer, options); }).find(name),
               std::string::npos)
         << name;
+}
+
+// A ball whose halves share their texture coordinates: a picture of it is drawn, its light cannot be read.
+TEST_F(EmbeddedHostility, LightOfChartsThatLieApartIsNotToBeRead) {
+  scene::Scene folded = scene::sphere(0.1, 12);
+  for (scene::Vertex& vertex : folded.primitives.front().vertices)
+    vertex.uv0.x = std::abs(2 * vertex.uv0.x - 1);
+  const Scene scene = wrap(folded);
+
+  const Host host;
+  const Renderer renderer(host.vulkan());
+  vulkan::HostFrames picture(renderer, {.picture = vulkan::PictureTargets{}});
+  EXPECT_NO_THROW(picture.update(scene, frame_settings()));
+  vulkan::HostFrames light(renderer, {.scattered = true});
+  EXPECT_NE(thrown<InputError>([&] { light.update(scene, frame_settings()); }).find("charts"),
+            std::string::npos);
 }
 
 TEST_F(EmbeddedHostility, UpdatesThatDoNotFit) {

@@ -289,23 +289,29 @@ TEST(Gutters, ListsTexelsOnTheBorderItself) {
 }
 
 TEST(Gutters, MirroredHalvesOnTheSameTexels) {
-  // Left and right of x = 0 share their coordinates: beyond the seam lies the mirror image, which is the
-  // chart itself.
+  // Left and right of x = 0 share their coordinates, and lie apart on the map: beyond the seam of each lies
+  // the other, mirrored.
   const auto flat = [](glm::dvec2 s) { return glm::dvec3(s.x, s.y, 0); };
   Primitive p;
   append_patch(p, flat, {0, 0}, {40, 40}, glm::dmat2(0.0125, 0, 0, 0.0125), {0.25, 0.25}, 4);
   append_patch(p, flat, {0, 0}, {-40, 40}, glm::dmat2(-0.0125, 0, 0, 0.0125), {0.25, 0.25}, 4);
   const SkinMesh mesh = mesh_from(p);
   EXPECT_EQ(mesh.charts, 2);
-  constexpr int side = 200;  // the seam at x = 50
+  ASSERT_EQ(mesh.layers, 2);
+  // The seam is the left edge of both: at 0.25 of the half of the map that each takes, less a margin.
+  constexpr int side = 256;
+  const double scale = mesh.unwrap_scale.x, first = 0.5 / 64 + 0.25 * scale;
   int seam = 0;
   for (const GutterTexel& g : build_gutters(mesh, side, 10)) {
-    if (g.chart == 0 || g.y < 50 || g.y >= 150) continue;
+    const double x = (g.x + 0.5) / side, from_seam = (x > 0.5 ? first + 0.5 : first) - x;
+    if (g.chart == 0 || from_seam < 0 || from_seam > 10.0 / side) continue;
+    if (g.y < (0.5 / 64 + 0.25 * scale) * side + 1 || g.y > (0.5 / 64 + 0.75 * scale) * side - 1) continue;
     ++seam;
-    EXPECT_NEAR(g.source_x, 100 - (g.x + 0.5), 0.02);
+    const double mirrored = (x > 0.5 ? first : first + 0.5) + from_seam;
+    EXPECT_NEAR(g.source_x, mirrored * side, 0.02);
     EXPECT_NEAR(g.source_y, g.y + 0.5, 0.02);
   }
-  EXPECT_EQ(seam, 10 * 100);
+  EXPECT_GT(seam, 2 * 9 * 55);
 }
 
 TEST(Gutters, SurviveDegenerateTriangles) {

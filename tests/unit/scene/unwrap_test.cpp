@@ -138,9 +138,13 @@ TEST(Metric, NeverAveragedAcrossAMirror) {
   const SkinMesh mesh = only_mesh(scene);
   EXPECT_EQ(mesh.charts, 2);
   EXPECT_EQ(mesh.vertices.size(), 8u) << "each vertex belongs to one chart";
+  EXPECT_EQ(mesh.layers, 2);
 
+  // Each half takes a quarter of the map, less a margin.
+  const double scale = mesh.unwrap_scale.x;
+  EXPECT_NEAR(scale, 0.5 * (1 - 2.0 / 64), 1e-6);
   for (std::size_t i = 0; i < mesh.indices.size(); ++i)
-    EXPECT_NEAR(mesh.metric[mesh.indices[i]].x, i < 6 ? 400 : 100, 0.01) << "corner " << i;
+    EXPECT_NEAR(mesh.metric[mesh.indices[i]].x * scale * scale, i < 6 ? 400 : 100, 0.01) << "corner " << i;
 }
 
 TEST(Unwrap, MovesByWholeTilesElseFits) {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "scene/chart_layers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "scene/coverage.h"
+#include "scene/topology.h"
+#include "scene/unwrap_fit.h"
+
+namespace dermis::scene {
+namespace {
+
+constexpr int side = 512;  // cells of the map
+constexpr double few_overlap = 0.01;
+constexpr double shared_at_borders = 0.02;  // of the cells of a chart: charts may touch
+
+using Cells = std::vector<std::uint32_t>;
+
+// Triangles that stand twice in a file, at the same place of the skin, show the same light: the second takes
+// nothing from the first.
+std::vector<Cells> cells_of_charts(const SkinMesh& mesh, std::span<const std::uint32_t> chart) {
+  const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
+  std::set<std::array<std::pair<std::uint32_t, std::uint32_t>, 3>> known;
+
+  std::vector<Cells> cells(static_cast<std::size_t>(mesh.charts));
+  for (std::size_t t = 0; t < chart.size(); ++t) {
+    if (mesh.triangle_chart[t] == no_chart) continue;
+    std::array<std::pair<std::uint32_t, std::uint32_t>, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = mesh.indices[3 * t + k];
+      corners[k] = {topology.position_id[vertex], topology.uv_id[vertex]};
+    }
+    std::ranges::sort(corners);
+    if (!known.insert(corners).second) continue;
+    for_each_texel(triangle_uv(mesh, t), side, [&](int x, int y) {
+      cells[chart[t]].push_back(static_cast<std::uint32_t>(y * side + x));
+    });
+  }
+  return cells;
+}
+
+// A layer of the map, and which of its cells are taken.
+class Layer {
+ public:
+  bool has_room_for(const Cells& cells) const {
+    const auto shared =
+        std::count_if(cells.begin(), cells.end(), [&](std::uint32_t cell) { return taken_[cell]; });
+    return static_cast<double>(shared) <= shared_at_borders * static_cast<double>(cells.size());
+  }
+  void take(const Cells& cells) {
+    for (const std::uint32_t cell : cells) taken_[cell] = true;
+  }
+
+ private:
+  std::vector<bool> taken_ = std::vector<bool>(std::size_t{side} * side);
+};
+
+// Returns the layer of each chart, large ones first.
+std::vector<std::size_t> layers_of(const std::vector<Cells>& charts, std::size_t& count) {
+  std::vector<std::size_t> order(charts.size()), layer(charts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t c) { return charts[c].size(); });
+
+  std::vector<Layer> layers(1);
+  for (const std::size_t chart : order) {
+    const auto has_room = [&](const Layer& l) { return l.has_room_for(charts[chart]); };
+    auto found = std::ranges::find_if(layers, has_room);
+    if (found == layers.end()) {
+      if (layers.size() > most_layers) break;
+      found = layers.emplace(layers.end());
+    }
+    found->take(charts[chart]);
+    layer[chart] = static_cast<std::size_t>(found - layers.begin());
+  }
+  count = layers.size();
+  return layer;
+}
+
+}  // namespace
+
+void lay_charts_apart(SkinMesh& mesh, std::span<const std::uint32_t> chart) {
+  if (mesh.charts < 2 || uv_area_sum(mesh) > most_layers) return;
+  if (uv_overlap_fraction(mesh, side) <= few_overlap) return;
+
+  std::size_t layers = 1;
+  const std::vector<std::size_t> layer_of = layers_of(cells_of_charts(mesh, chart), layers);
+  if (layers == 1 || layers > most_layers) return;
+
+  // Layers lie in a square of cells, with a margin around each for gutters.
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(layers))));
+  const double width = 1 / static_cast<double>(columns);
+  std::vector<bool> moved(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    const std::uint32_t vertex = mesh.indices[i];
+    if (mesh.triangle_chart[i / 3] == no_chart || moved[vertex]) continue;
+    moved[vertex] = true;
+    const std::size_t layer = layer_of[chart[i / 3]];
+    const glm::dvec2 cell(static_cast<double>(layer % columns), static_cast<double>(layer / columns));
+    glm::vec2& at = mesh.unwrap[vertex];
+    at = glm::vec2(width * (cell + fit_margin + (1 - 2 * fit_margin) * glm::dvec2(at)));
+  }
+  mesh.unwrap_scale *= width * (1 - 2 * fit_margin);
+  mesh.layers = static_cast<int>(layers);
+}
+
+}  // namespace dermis::scene
