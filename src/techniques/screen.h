@@ -38,8 +38,8 @@ class Screen {
   /// Returns what is drawn once per head and light.
   std::vector<frame::TextureId> shadow_maps() const;
 
-  /// With FrameSettings::shade_entries, finds what the picture shows of the skin of all heads: the first
-  /// call. Else adds nothing.
+  /// With FrameSettings::shade_entries, finds what the picture shows of the skin of all heads: once, after
+  /// the shadow maps of the first batch, so that a device draws before it computes. Else adds nothing.
   void add_entries();
   /// Adds the shadow maps of all lights for the heads of a batch.
   void add_shadows(const Batch& batch);

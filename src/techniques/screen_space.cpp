@@ -31,7 +31,6 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
   s.shade_entries = s.can_shade_entries();
   DERMIS_ASSERT_EQ(s.shade_entries, s.has_skin());
   Screen screen(plan, s);
-  screen.add_entries();
 
   passes::ScreenSurface surface;
   if (s.has_skin()) surface = passes::make_screen_surface(plan, s.width, s.height, s.samples);
@@ -41,6 +40,7 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
   const std::vector<Batch> batches = batches_of(s);
   for (const Batch& batch : batches) {
     screen.add_shadows(batch);
+    if (batch.number == 0) screen.add_entries();
     const std::vector<passes::MapSquare> skin = squares_of(s, batch);
     if (!skin.empty()) screen.add_split_skin(skin, blurred, surface, label("shade", s, batch));
     if (s.host) continue;

@@ -15,7 +15,7 @@ void main() {
   const uvec2 p = gl_GlobalInvocationID.xy;
   if (all(lessThan(p, io.extent))) {
     const float alpha = texelFetch(picture, ivec2(p + io.origin), 0).a;
-    if ((io.absolute != 0u ? abs(alpha) : alpha) >= io.threshold) atomicAdd(group_count, 1u);
+    if (alpha >= io.threshold) atomicAdd(group_count, 1u);
   }
   barrier();
   if (gl_LocalInvocationIndex == 0u && group_count > 0u) atomicAdd(counters[io.slot], group_count);

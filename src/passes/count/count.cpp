@@ -22,11 +22,7 @@ void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
       .add("Counters", resources.buffer(in.counters))
       .bind(cmd, pipeline());
   const auto count = [&](glm::uvec2 origin, glm::uvec2 extent, std::uint32_t slot) {
-    const io::CountIo io{.origin = origin,
-                         .extent = extent,
-                         .slot = slot,
-                         .threshold = settings.threshold,
-                         .absolute = settings.absolute ? 1u : 0u};
+    const io::CountIo io{.origin = origin, .extent = extent, .slot = slot, .threshold = settings.threshold};
     dispatch(cmd, io, extent.x, extent.y);
   };
   if (settings.squares.empty()) count({0, 0}, {picture.desc().width, picture.desc().height}, settings.slot);

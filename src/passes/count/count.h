@@ -14,7 +14,6 @@ class Count : public ComputePass {
     std::uint32_t slot = 0;
     std::uint32_t slots_per_instance = 0;  ///< squares of instance i count at slot + i * slots_per_instance
     float threshold = 0.5f;
-    bool absolute = false;           ///< compares the absolute value of alpha
     std::vector<MapSquare> squares;  ///< counts only their used areas; empty: the whole picture
   } settings;
   struct In {

@@ -7,7 +7,6 @@ struct CountIo {
   uvec2 origin, extent;
   uint slot;        // of the counters
   float threshold;  // counted if alpha is at least this
-  uint absolute;    // 1: the alpha's absolute value
 };
 DERMIS_IO_END
 #endif

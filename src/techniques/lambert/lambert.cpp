@@ -9,10 +9,10 @@ namespace {
 // Draws the heads of each batch: their shadow maps, their skin with the light at each pixel, and the rest.
 FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& settings) {
   Screen screen(plan, settings);
-  screen.add_entries();
 
   for (const Batch& batch : batches_of(settings)) {
     screen.add_shadows(batch);
+    if (batch.number == 0) screen.add_entries();
 
     std::vector<SkinOnScreen> skin;
     for (const passes::MapSquare& square : squares_of(settings, batch))

@@ -46,12 +46,12 @@ FrameOutputs build_pre_integrated(passes::FramePlan& plan, const FrameSettings& 
   s.shade_entries = s.can_shade_entries();
   DERMIS_ASSERT_EQ(s.shade_entries, s.has_skin());
   Screen screen(plan, s);
-  screen.add_entries();
   const std::vector<frame::BufferId> curvatures = add_curvatures(plan, s);
   const std::uint32_t taps = s.taps > 0 ? s.taps : shadow_taps.usual;
 
   for (const Batch& batch : batches_of(s)) {
     screen.add_shadows(batch);
+    if (batch.number == 0) screen.add_entries();
     const std::vector<passes::MapSquare> skin = squares_of(s, batch);
     if (!skin.empty()) screen.add_pre_integrated_skin(skin, curvatures, taps, label("shade", s, batch));
     screen.add_surfaces(batch);

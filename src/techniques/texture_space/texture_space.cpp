@@ -89,7 +89,6 @@ std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
 // The steps of the table in docs/techniques.md, in its order.
 FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s) {
   Screen screen(plan, s, counter_count(s));
-  screen.add_entries();
   std::optional<LightMaps> maps;
   if (!s.skin.empty()) maps.emplace(plan, s, screen);
   const MapPool pool(s);
@@ -100,6 +99,7 @@ FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s
 
   for (const Batch& batch : batches_of(s)) {
     screen.add_shadows(batch);
+    if (batch.number == 0) screen.add_entries();
 
     // The first meshes come last, so that what `show` reads is of the first one.
     const std::uint32_t turns = pool.mesh_batches();
