@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Converts linear radiance to display values. The same curves as src/image/tone_map.cpp, which derives them;
-//   a test compares
-// the two.
+// Mixes the picture with its bloom and a colour behind the heads, and converts radiance to display values.
+// The same curves as src/image/tone_map.cpp, which derives them; a test compares the two.
+//
 // Based on:
-// [PBRN] Khronos Group: Khronos PBR Neutral Tone Mapper, specification, 2024
-// [AgX] Sobotka: AgX, 2022; primaries of Blender 4.0, curve of Wrensch: Minimal AgX Implementation, 2023
-// [N15] Narkowicz: ACES Filmic Tone Mapping Curve, 2015
+// - [PBRN] Khronos Group: Khronos PBR Neutral Tone Mapper, specification, 2024
+// - [AgX] Sobotka: AgX, 2022; primaries of Blender 4.0, curve of Wrensch: Minimal AgX Implementation, 2023
+// - [N15] Narkowicz: ACES Filmic Tone Mapping Curve, 2015
 #version 460
 #include "shared/types.h"
 #include "shaders/half.glsl"

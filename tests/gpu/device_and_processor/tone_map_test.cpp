@@ -12,6 +12,7 @@
 #include "image/tone_map.h"
 #include "passes/bindings.h"
 #include "passes/shaders.h"
+#include "passes/tone_map/tone_map_io.h"
 #include "settings/names.h"
 
 namespace dermis {
@@ -80,6 +81,12 @@ TEST(ToneMapAgreement, DeviceAndProcessorAreOneStepApartAtMost) {
                               .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
   gpu::upload(device, picture, std::as_bytes(std::span(halves)));
 
+  const gpu::Texture light(device, "light",
+                           {.width = width,
+                            .height = height,
+                            .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+
   for (const std::string_view name : names_of<ToneMap>) {
     const ToneMap tone_map = find_name<ToneMap>("tone map", name);
     const gpu::Texture display(device, "display",
@@ -92,10 +99,16 @@ TEST(ToneMapAgreement, DeviceAndProcessorAreOneStepApartAtMost) {
     device.run([&](VkCommandBuffer commands) {
       gpu::Cmd cmd(device, commands);
       to_general(cmd, display);
+      to_general(cmd, light);
       passes::Bindings()
           .add("picture", gpu::SampledBinding{&picture, sampler})
+          .add("open", gpu::SampledBinding{&picture, sampler})
+          .add("narrow", gpu::SampledBinding{&picture, sampler})
+          .add("wide", gpu::SampledBinding{&picture, sampler})
+          .add("light", gpu::StorageImageBinding{&light})
           .add("display", gpu::StorageImageBinding{&display})
           .bind(cmd, pipeline);
+      cmd.push(pipeline, io::ToneMapIo{});
       cmd.dispatch_over(pipeline, width, height);
     });
 

@@ -64,23 +64,23 @@ TEST_F(EditedShaders, AreCompiledWithWhatIncludesThem) {
   EXPECT_TRUE(shaders_->shaders()->empty()) << "a comment makes another shader";
   EXPECT_FALSE(shaders_->refresh(go_on));
 
-  edit("passes/tone_map/tone_map.glsl", "void main() {", "void main() {\n  if (false) return;");
+  edit("passes/open_share/open_share.glsl", "void main() {", "void main() {\n  if (false) return;");
   EXPECT_TRUE(shaders_->refresh(go_on));
   EXPECT_EQ(shaders_->errors(), "");
-  for (const char* name : {"tone_map.comp", "tone_map_behind.comp"})
+  for (const char* name : {"open_share.comp", "open_share_single.comp"})
     EXPECT_TRUE(shaders_->shaders()->contains(name)) << name;
   EXPECT_EQ(shaders_->shaders()->size(), 2u);
 }
 
 TEST_F(EditedShaders, KeepTheLastThatWereRight) {
   EXPECT_FALSE(shaders_->refresh(go_on));
-  edit("passes/tone_map/tone_map.glsl", "void main() {", "void main() {\n  if (false) return;");
+  edit(tone_map, "void main() {", "void main() {\n  if (false) return;");
   EXPECT_TRUE(shaders_->refresh(go_on));
   const auto right = shaders_->shaders();
 
   edit(tone_map, "#version 460", "#version 460\nneither a type nor a name;");
   EXPECT_TRUE(shaders_->refresh(go_on));
-  EXPECT_EQ(shaders_->errors().find("passes/tone_map/tone_map.comp:3: error:"), 0u) << shaders_->errors();
+  EXPECT_EQ(shaders_->errors().find("passes/tone_map/tone_map.comp:10: error:"), 0u) << shaders_->errors();
   EXPECT_EQ(shaders_->shaders(), right);
 
   edit(tone_map, "neither a type nor a name;", "");
@@ -90,7 +90,7 @@ TEST_F(EditedShaders, KeepTheLastThatWereRight) {
 
 TEST_F(EditedShaders, MustFitTheProgram) {
   EXPECT_FALSE(shaders_->refresh(go_on));
-  edit("passes/tone_map/tone_map.glsl", "void main() {",
+  edit(tone_map, "void main() {",
        "layout(binding = 29) buffer More { uint more; };\nvoid main() {\n  more = 1;");
   EXPECT_TRUE(shaders_->refresh(go_on));
   EXPECT_NE(shaders_->errors().find("has a binding 29"), std::string::npos) << shaders_->errors();
@@ -117,13 +117,13 @@ TEST_F(EditedShaders, AreSeen) {
   const std::vector<std::uint8_t> before = drawn();
   ASSERT_FALSE(before.empty());
 
-  edit("passes/tone_map/tone_map.glsl", "vec4(shown, 1.0)", "vec4(0.5 * shown, 1.0)");
+  edit(tone_map, "vec4(shown, 1.0)", "vec4(0.5 * shown, 1.0)");
   EXPECT_TRUE(shaders_->refresh(go_on));
   ASSERT_EQ(shaders_->errors(), "");
   painter.use_shaders(shaders_->shaders());
   EXPECT_NE(drawn(), before);
 
-  edit("passes/tone_map/tone_map.glsl", "vec4(0.5 * shown, 1.0)", "vec4(shown, 1.0)");
+  edit(tone_map, "vec4(0.5 * shown, 1.0)", "vec4(shown, 1.0)");
   EXPECT_TRUE(shaders_->refresh(go_on));
   painter.use_shaders(shaders_->shaders());
   EXPECT_EQ(drawn(), before);
