@@ -43,9 +43,10 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
 
     const bool compute = v.key == compute_key || v.key == still_key,
                all = v.key == optimised_key || v.key == at_edge_key || compute;
-    if (v.settings.technique != "published")  // which has one way
+    if (v.settings.technique != "published") {  // which has one way
       EXPECT_EQ(v.settings.quality.shading,
                 compute || v.key == compute_floor_key ? Shading::compute : Shading::raster);
+    }
     EXPECT_EQ(v.settings.quality.keep_shadows, v.key == still_key);
     EXPECT_EQ(v.settings.quality.cull, all || v.key == "cull");
     EXPECT_EQ(v.settings.quality.depth, all || v.key == "depth");
