@@ -2,11 +2,13 @@
 /// The gutters of a mesh for the device.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
 #include "scene/gutters.h"
+#include "shared/gutters_io.h"
 
 namespace dermis::passes {
 
@@ -19,6 +21,11 @@ struct GutterList {
   /// itself if its chart has no texel within 128, or if it extends none.
   std::vector<glm::uvec2> own;
 };
+
+/// Returns the invocations of a dispatch over so many gutters.
+inline glm::uvec2 gutter_invocations(std::uint32_t count) {
+  return {std::min<std::uint32_t>(count, GUTTER_ROW), (count + GUTTER_ROW - 1) / GUTTER_ROW};
+}
 
 GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texels);
 

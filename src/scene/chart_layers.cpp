@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -23,25 +23,63 @@ constexpr double shared_at_borders = 0.02;  // of the cells of a chart: charts m
 
 using Cells = std::vector<std::uint32_t>;
 
-// Triangles that stand twice in a file, at the same place of the skin, show the same light: the second takes
-// nothing from the first.
-std::vector<Cells> cells_of_charts(const SkinMesh& mesh, std::span<const std::uint32_t> chart) {
-  const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
-  std::set<std::array<std::pair<std::uint32_t, std::uint32_t>, 3>> known;
+using Corner = std::pair<std::uint32_t, std::uint32_t>;  // place, texture coordinates
 
-  std::vector<Cells> cells(static_cast<std::size_t>(mesh.charts));
+// Returns the corners of a triangle, the least first, in the order in which it winds.
+std::array<Corner, 3> corners_of(const SkinMesh& mesh, const Topology& topology, std::size_t triangle) {
+  std::array<Corner, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t vertex = mesh.indices[3 * triangle + k];
+    corners[k] = {topology.position_id[vertex], topology.uv_id[vertex]};
+  }
+  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  return corners;
+}
+
+// Charts that have triangles in common, which a file has twice: they show the same light, and stay together.
+// One that faces the other way is another triangle.
+class Twins {
+ public:
+  Twins(const SkinMesh& mesh, std::span<const std::uint32_t> chart) : first_(charts_of(mesh)) {
+    std::iota(first_.begin(), first_.end(), std::size_t{0});
+    const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
+    std::map<std::array<Corner, 3>, std::uint32_t> known;
+    for (std::size_t t = 0; t < chart.size(); ++t) {
+      if (mesh.triangle_chart[t] == no_chart) continue;
+      const auto [entry, is_new] = known.try_emplace(corners_of(mesh, topology, t), chart[t]);
+      if (!is_new) join(entry->second, chart[t]);
+    }
+  }
+
+  static std::size_t charts_of(const SkinMesh& mesh) { return static_cast<std::size_t>(mesh.charts); }
+  /// Returns the first chart of those that stay together with one.
+  std::size_t first_of(std::size_t chart) const {
+    while (first_[chart] != chart) chart = first_[chart];
+    return chart;
+  }
+
+ private:
+  void join(std::size_t a, std::size_t b) {
+    const auto [low, high] = std::minmax({first_of(a), first_of(b)});
+    first_[high] = low;
+  }
+  std::vector<std::size_t> first_;
+};
+
+// Returns the cells of each chart, with those of its twins at the first of them; each once.
+std::vector<Cells> cells_of_charts(const SkinMesh& mesh, std::span<const std::uint32_t> chart,
+                                   const Twins& twins) {
+  std::vector<Cells> cells(Twins::charts_of(mesh));
   for (std::size_t t = 0; t < chart.size(); ++t) {
     if (mesh.triangle_chart[t] == no_chart) continue;
-    std::array<std::pair<std::uint32_t, std::uint32_t>, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t vertex = mesh.indices[3 * t + k];
-      corners[k] = {topology.position_id[vertex], topology.uv_id[vertex]};
-    }
-    std::ranges::sort(corners);
-    if (!known.insert(corners).second) continue;
     for_each_texel(triangle_uv(mesh, t), side, [&](int x, int y) {
-      cells[chart[t]].push_back(static_cast<std::uint32_t>(y * side + x));
+      cells[twins.first_of(chart[t])].push_back(static_cast<std::uint32_t>(y * side + x));
     });
+  }
+
+  for (Cells& of_chart : cells) {
+    std::ranges::sort(of_chart);
+    of_chart.erase(std::unique(of_chart.begin(), of_chart.end()), of_chart.end());
   }
   return cells;
 }
@@ -90,7 +128,8 @@ void lay_charts_apart(SkinMesh& mesh, std::span<const std::uint32_t> chart) {
   if (uv_overlap_fraction(mesh, side) <= few_overlap) return;
 
   std::size_t layers = 1;
-  const std::vector<std::size_t> layer_of = layers_of(cells_of_charts(mesh, chart), layers);
+  const Twins twins(mesh, chart);
+  const std::vector<std::size_t> layer_of = layers_of(cells_of_charts(mesh, chart, twins), layers);
   if (layers == 1 || layers > most_layers) return;
 
   // Layers lie in a square of cells, with a margin around each for gutters.
@@ -101,7 +140,7 @@ void lay_charts_apart(SkinMesh& mesh, std::span<const std::uint32_t> chart) {
     const std::uint32_t vertex = mesh.indices[i];
     if (mesh.triangle_chart[i / 3] == no_chart || moved[vertex]) continue;
     moved[vertex] = true;
-    const std::size_t layer = layer_of[chart[i / 3]];
+    const std::size_t layer = layer_of[twins.first_of(chart[i / 3])];
     const glm::dvec2 cell(static_cast<double>(layer % columns), static_cast<double>(layer / columns));
     glm::vec2& at = mesh.unwrap[vertex];
     at = glm::vec2(width * (cell + fit_margin + (1 - 2 * fit_margin) * glm::dvec2(at)));

@@ -4,6 +4,8 @@
 #include "shared/types.h"
 // Alpha of texels beside an open border: no chart, light for bilinear reads only.
 #define BORDER_ALPHA 4096.0
+// Invocations in x of a dispatch over gutters: all devices allow 65535 workgroups of 64.
+#define GUTTER_ROW 2097152
 DERMIS_IO_BEGIN
 // A texel beside a chart, and the source of its light.
 struct GutterIo {

@@ -11,7 +11,7 @@ layout(binding = 0, scalar) readonly buffer Gutters { GutterIo gutters[]; };
 layout(binding = 1, rgba16f) uniform image2D target;
 
 void main() {
-  const uint i = gl_GlobalInvocationID.x;
+  const uint i = gl_GlobalInvocationID.y * GUTTER_ROW + gl_GlobalInvocationID.x;
   if (i >= io.count) return;
   const GutterIo g = gutters[i];
   const ivec2 origin = ivec2(io.origin);

@@ -3,6 +3,7 @@
 
 #include "frame/resources.h"
 #include "passes/bindings.h"
+#include "passes/gutter_list.h"
 #include "shared/gutters_io.h"
 
 namespace dermis::passes {
@@ -26,7 +27,7 @@ void Gutters::refresh(gpu::Cmd& cmd, const frame::Resources& resources, const Gp
                          .mode = settings.what == What::stretch ? 1u : 0u,
                          .origin = origin,
                          .side = side};
-  dispatch(cmd, io, io.count, 1);
+  dispatch(cmd, io, gutter_invocations(io.count));
 }
 
 void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {

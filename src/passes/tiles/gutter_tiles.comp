@@ -16,8 +16,9 @@ uint tile_at(uint packed) { return tile_at(uvec2(packed & 0xFFFFu, packed >> 16)
 bool is_seen(uint tile) { return (tile_marks[tile] & TILE_SEEN) != 0u; }
 
 void main() {
-  if (gl_GlobalInvocationID.x >= io.count) return;
-  const GutterIo g = gutters[gl_GlobalInvocationID.x];
+  const uint i = gl_GlobalInvocationID.y * GUTTER_ROW + gl_GlobalInvocationID.x;
+  if (i >= io.count) return;
+  const GutterIo g = gutters[i];
   const uint tile = tile_at(g.texel), own = tile_at(g.own), source = tile_at(uvec2(g.source));
   if (is_seen(tile) && (g.own == g.texel || !is_seen(own)))
     atomicOr(tile_marks[source], uint(TILE_SOURCE));

@@ -18,9 +18,6 @@ layout(binding = 2, scalar) buffer TileMarks { uint tile_marks[]; };
 layout(constant_id = 0) const bool cull = true;
 layout(constant_id = 1) const bool clip = false;
 
-// A bilinear read of a point of the triangle touches texels so far beside it.
-const float reach = 1.0;
-
 // Returns whether all of a triangle lies outside one plane of the picture and its margin.
 bool is_outside(uint triangle) {
   bvec4 outside = bvec4(true);
@@ -44,8 +41,8 @@ void main() {
   const vec2 a = unwrap_of(indices[3u * triangle]), b = unwrap_of(indices[3u * triangle + 1u]),
              c = unwrap_of(indices[3u * triangle + 2u]);
   const float side = float(io.side);
-  const uvec2 low = uvec2(clamp(min(a, min(b, c)) * side - reach, 0.0, side - 1.0)),
-              high = uvec2(clamp(max(a, max(b, c)) * side + reach, 0.0, side - 1.0));
+  const uvec2 low = uvec2(clamp(min(a, min(b, c)) * side - io.reach, 0.0, side - 1.0)),
+              high = uvec2(clamp(max(a, max(b, c)) * side + io.reach, 0.0, side - 1.0));
   for (uint y = low.y / TILE_HEIGHT; y <= high.y / TILE_HEIGHT; ++y)
     for (uint x = low.x / TILE_WIDTH; x <= high.x / TILE_WIDTH; ++x)
       atomicOr(tile_marks[io.first_tile + y * tiles_across(io.side).x + x], marks);

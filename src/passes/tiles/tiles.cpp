@@ -6,6 +6,7 @@
 #include "frame/resources.h"
 #include "passes/bindings.h"
 #include "passes/cull.h"
+#include "passes/gutter_list.h"
 #include "passes/posed.h"
 #include "passes/tiles/tiles_io.h"
 #include "shared/tiles_io.h"
@@ -15,6 +16,8 @@ namespace {
 
 // Workgroups of 64 in the least number that Vulkan allows.
 constexpr std::uint32_t most_at_once = 65535 * 64;
+
+constexpr float bilinear = 1;  // texels beside a point that a read there touches
 
 }  // namespace
 
@@ -37,12 +40,14 @@ void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
 
     const std::vector<GpuDraw>& draws = instance.scene->skin[number].draws;
     for (std::size_t k = 0; k < draws.size(); ++k) {
-      io::SeenTilesIo io{.cull = cull_io(instance, instance.look->material(draws[k].material)),
-                         .first = draws[k].first_index / 3,
-                         .count = 0,
-                         .side = square.side,
-                         .first_tile = square.index * in.lists.room,
-                         .list = in.lists.of_material(square, k) - square.index * in.lists.lists};
+      io::SeenTilesIo io{
+          .cull = cull_io(instance, instance.look->material(draws[k].material)),
+          .first = draws[k].first_index / 3,
+          .count = 0,
+          .side = square.side,
+          .first_tile = square.index * in.lists.room,
+          .list = in.lists.of_material(square, k) - square.index * in.lists.lists,
+          .reach = bilinear + settings.exit_offsets[square.mesh] * static_cast<float>(square.side)};
       const std::uint32_t end = (draws[k].first_index + draws[k].index_count) / 3;
       for (; io.first < end; io.first += io.count) {
         io.count = std::min(end - io.first, most_at_once);
@@ -70,7 +75,7 @@ void GutterTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const
         .bind(cmd, pipeline());
     const io::GutterTilesIo io{
         .count = found->second.count, .side = square.side, .first_tile = square.index * in.lists.room};
-    dispatch(cmd, io, io.count, 1);
+    dispatch(cmd, io, gutter_invocations(io.count));
   }
 }
 

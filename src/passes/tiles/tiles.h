@@ -19,6 +19,9 @@ class SeenTiles : public ComputePass {
     std::vector<MapSquare> squares;
     bool cull = true;   ///< leaves out what faces away, see shaders/cull.glsl
     bool clip = false;  ///< leaves out what lies outside the picture and its margin
+    /// By skin mesh of the plan, texture coordinates of the light map: how far from a point of the skin light
+    /// is read that leaves there, at most.
+    std::vector<float> exit_offsets;
   } settings;
   struct In {
     TileLists lists;  ///< marks and counts are 0

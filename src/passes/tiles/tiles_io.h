@@ -11,6 +11,7 @@ struct SeenTilesIo {
   uint side;          // T, texels
   uint first_tile;    // of the square's marks
   uint list;          // of the material, among those of the square
+  float reach;        // texels beside the triangle that reads of its points touch
 };
 struct GutterTilesIo {
   uint count;  // of the gutters
@@ -26,6 +27,6 @@ struct TilesIo {
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::SeenTilesIo) == 28);
+static_assert(sizeof(dermis::io::SeenTilesIo) == 32);
 #endif
 #endif

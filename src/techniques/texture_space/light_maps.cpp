@@ -156,9 +156,17 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
   plan_->add<passes::ClearTexels>(name("clear light"), {maps}, {.squares = all});
 
   plan_->add<passes::ClearBuffers>(name("clear tiles"), {{tiles_.marks, tiles_.counts, tiles_.arguments}});
-  plan_->add<passes::SeenTiles>(
-      name("seen tiles"), {tiles_},
-      {.squares = all, .cull = settings_->optimise.cull, .clip = settings_->optimise.clip});
+  std::vector<float> exit_offsets;
+  for (const SkinPart& part : settings_->skin) {
+    const auto& shape = part.profile.shape;
+    const double offset_mm = shape ? std::ranges::max(shape->exit_offset_mm) : 0;
+    exit_offsets.push_back(static_cast<float>(offset_mm * part.max_uv_per_mm));
+  }
+  plan_->add<passes::SeenTiles>(name("seen tiles"), {tiles_},
+                                {.squares = all,
+                                 .cull = settings_->optimise.cull,
+                                 .clip = settings_->optimise.clip,
+                                 .exit_offsets = exit_offsets});
   plan_->add<passes::GutterTiles>(name("gutter tiles"), {tiles_}, {.squares = all});
   plan_->add<passes::Tiles>(name("tiles"), {tiles_, screen_->counters()},
                             {.squares = all,

@@ -141,6 +141,21 @@ TEST(Overlap, ChartsLieApart) {
   const std::vector<std::uint32_t> once = twice.primitives[0].indices;
   twice.primitives[0].indices.insert(twice.primitives[0].indices.end(), once.begin(), once.end());
   EXPECT_EQ(only_mesh(twice).layers, 1) << "the same triangles, twice";
+  for (std::size_t i = once.size(); i < 2 * once.size(); i += 3)
+    std::swap(twice.primitives[0].indices[i], twice.primitives[0].indices[i + 1]);
+  EXPECT_EQ(only_mesh(twice).layers, 2) << "the inside of a double wall";
+
+  // Two squares on the same coordinates, the second of them twice: both copies are on its layer.
+  Scene pair = two_squares({0, 0});
+  std::vector<std::uint32_t>& indices = pair.primitives[0].indices;
+  const std::vector<std::uint32_t> second(indices.begin() + static_cast<std::ptrdiff_t>(indices.size() / 2),
+                                          indices.end());
+  indices.insert(indices.end(), second.begin(), second.end());
+  const SkinMesh mesh = only_mesh(pair);
+  EXPECT_EQ(mesh.layers, 2);
+  const std::size_t first_copy = mesh.indices.size() / 3, second_copy = 2 * first_copy;
+  for (std::size_t i = 0; i < second.size(); ++i)
+    EXPECT_EQ(mesh.unwrap[mesh.indices[first_copy + i]], mesh.unwrap[mesh.indices[second_copy + i]]) << i;
 }
 
 TEST(Overlap, WarnsFromHalfAPercentOn) {
