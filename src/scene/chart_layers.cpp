@@ -32,7 +32,7 @@ std::array<Corner, 3> corners_of(const SkinMesh& mesh, const Topology& topology,
     const std::uint32_t vertex = mesh.indices[3 * triangle + k];
     corners[k] = {topology.position_id[vertex], topology.uv_id[vertex]};
   }
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
+  std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
   return corners;
 }
 
