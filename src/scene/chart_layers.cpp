@@ -12,6 +12,7 @@
 
 #include "scene/coverage.h"
 #include "scene/topology.h"
+#include "scene/union_find.h"
 #include "scene/unwrap_fit.h"
 
 namespace dermis::scene {
@@ -36,45 +37,29 @@ std::array<Corner, 3> corners_of(const SkinMesh& mesh, const Topology& topology,
   return corners;
 }
 
-// Charts that have triangles in common, which a file has twice: they show the same light, and stay together.
-// One that faces the other way is another triangle.
-class Twins {
- public:
-  Twins(const SkinMesh& mesh, std::span<const std::uint32_t> chart) : first_(charts_of(mesh)) {
-    std::iota(first_.begin(), first_.end(), std::size_t{0});
-    const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
-    std::map<std::array<Corner, 3>, std::uint32_t> known;
-    for (std::size_t t = 0; t < chart.size(); ++t) {
-      if (mesh.triangle_chart[t] == no_chart) continue;
-      const auto [entry, is_new] = known.try_emplace(corners_of(mesh, topology, t), chart[t]);
-      if (!is_new) join(entry->second, chart[t]);
-    }
+// Joins charts that have triangles in common, which a file has twice: they show the same light, and stay
+// together. One that faces the other way is another triangle.
+UnionFind twins_of(const SkinMesh& mesh, std::span<const std::uint32_t> chart) {
+  const Topology topology = mesh_topology(mesh.vertices, mesh.unwrap, mesh.indices);
+  UnionFind twins(static_cast<std::size_t>(mesh.charts));
+  std::map<std::array<Corner, 3>, std::uint32_t> known;
+  for (std::size_t t = 0; t < chart.size(); ++t) {
+    if (mesh.triangle_chart[t] == no_chart) continue;
+    const auto [entry, is_new] = known.try_emplace(corners_of(mesh, topology, t), chart[t]);
+    if (!is_new) twins.join(entry->second, chart[t]);
   }
-
-  static std::size_t charts_of(const SkinMesh& mesh) { return static_cast<std::size_t>(mesh.charts); }
-  /// Returns the first chart of those that stay together with one.
-  std::size_t first_of(std::size_t chart) const {
-    while (first_[chart] != chart) chart = first_[chart];
-    return chart;
-  }
-
- private:
-  void join(std::size_t a, std::size_t b) {
-    const auto [low, high] = std::minmax({first_of(a), first_of(b)});
-    first_[high] = low;
-  }
-  std::vector<std::size_t> first_;
-};
+  return twins;
+}
 
 // Returns the cells of each chart, with those of its twins at the first of them; each once.
 std::vector<Cells> cells_of_charts(const SkinMesh& mesh, std::span<const std::uint32_t> chart,
-                                   const Twins& twins) {
-  std::vector<Cells> cells(Twins::charts_of(mesh));
+                                   UnionFind& twins) {
+  std::vector<Cells> cells(static_cast<std::size_t>(mesh.charts));
   for (std::size_t t = 0; t < chart.size(); ++t) {
     if (mesh.triangle_chart[t] == no_chart) continue;
-    for_each_texel(triangle_uv(mesh, t), side, [&](int x, int y) {
-      cells[twins.first_of(chart[t])].push_back(static_cast<std::uint32_t>(y * side + x));
-    });
+    Cells& of_chart = cells[twins.find(chart[t])];
+    for_each_texel(triangle_uv(mesh, t), side,
+                   [&](int x, int y) { of_chart.push_back(static_cast<std::uint32_t>(y * side + x)); });
   }
 
   for (Cells& of_chart : cells) {
@@ -100,8 +85,8 @@ class Layer {
   std::vector<bool> taken_ = std::vector<bool>(std::size_t{side} * side);
 };
 
-// Returns the layer of each chart, large ones first.
-std::vector<std::size_t> layers_of(const std::vector<Cells>& charts, std::size_t& count) {
+// Returns the layer of each chart, which large ones choose first; none if they would be too many.
+std::vector<std::size_t> layers_of(const std::vector<Cells>& charts) {
   std::vector<std::size_t> order(charts.size()), layer(charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::greater{}, [&](std::size_t c) { return charts[c].size(); });
@@ -111,13 +96,12 @@ std::vector<std::size_t> layers_of(const std::vector<Cells>& charts, std::size_t
     const auto has_room = [&](const Layer& l) { return l.has_room_for(charts[chart]); };
     auto found = std::ranges::find_if(layers, has_room);
     if (found == layers.end()) {
-      if (layers.size() > most_layers) break;
+      if (layers.size() == most_layers) return {};
       found = layers.emplace(layers.end());
     }
     found->take(charts[chart]);
     layer[chart] = static_cast<std::size_t>(found - layers.begin());
   }
-  count = layers.size();
   return layer;
 }
 
@@ -127,10 +111,11 @@ void lay_charts_apart(SkinMesh& mesh, std::span<const std::uint32_t> chart) {
   if (mesh.charts < 2 || uv_area_sum(mesh) > most_layers) return;
   if (uv_overlap_fraction(mesh, side) <= few_overlap) return;
 
-  std::size_t layers = 1;
-  const Twins twins(mesh, chart);
-  const std::vector<std::size_t> layer_of = layers_of(cells_of_charts(mesh, chart, twins), layers);
-  if (layers == 1 || layers > most_layers) return;
+  UnionFind twins = twins_of(mesh, chart);
+  const std::vector<std::size_t> layer_of = layers_of(cells_of_charts(mesh, chart, twins));
+  if (layer_of.empty()) return;
+  const std::size_t layers = std::ranges::max(layer_of) + 1;
+  if (layers == 1) return;
 
   // Layers lie in a square of cells, with a margin around each for gutters.
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(layers))));
@@ -140,7 +125,7 @@ void lay_charts_apart(SkinMesh& mesh, std::span<const std::uint32_t> chart) {
     const std::uint32_t vertex = mesh.indices[i];
     if (mesh.triangle_chart[i / 3] == no_chart || moved[vertex]) continue;
     moved[vertex] = true;
-    const std::size_t layer = layer_of[twins.first_of(chart[i / 3])];
+    const std::size_t layer = layer_of[twins.find(chart[i / 3])];
     const glm::dvec2 cell(static_cast<double>(layer % columns), static_cast<double>(layer / columns));
     glm::vec2& at = mesh.unwrap[vertex];
     at = glm::vec2(width * (cell + fit_margin + (1 - 2 * fit_margin) * glm::dvec2(at)));

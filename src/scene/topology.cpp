@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/assert.h"
+#include "scene/union_find.h"
 #include "scene/weld.h"
 
 namespace dermis::scene {
@@ -52,22 +53,6 @@ void pair_edges(std::span<const EdgeEntry> edges, std::vector<std::uint32_t>& ma
     }
   }
 }
-
-struct UnionFind {
-  std::vector<std::uint32_t> parent;
-  explicit UnionFind(std::size_t n) : parent(n) {
-    for (std::size_t i = 0; i < n; ++i) parent[i] = static_cast<std::uint32_t>(i);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-};
 
 }  // namespace
 

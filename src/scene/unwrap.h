@@ -45,7 +45,7 @@ inline SkinMeshKey skin_mesh_key(const Primitive& primitive) {
           .material = primitive.has_uv && !primitive.own_light_map ? -1 : primitive.material};
 }
 
-/// Where the triangles of a primitive begin among those of its mesh.
+/// The first triangle of a primitive, among those of its mesh.
 struct PrimitiveTriangles {
   std::uint32_t primitive = 0, first_triangle = 0;
 };

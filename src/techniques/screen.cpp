@@ -242,6 +242,11 @@ void Screen::add_shadows(const Batch& batch) {
   plan_->add<passes::Shadow>(label("entering", settings_, batch), {entering_depth_, entering_}, shadow);
 }
 
+void Screen::begin_batch(const Batch& batch) {
+  add_shadows(batch);
+  if (batch.number == 0) add_entries();
+}
+
 bool Screen::any_head(const Batch& batch, bool Model::*has) const {
   for (std::uint32_t i = 0; i < batch.heads; ++i)
     if (settings_.model_of(batch.first_head + i).*has) return true;

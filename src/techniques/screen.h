@@ -38,9 +38,9 @@ class Screen {
   /// Returns what is drawn once per head and light.
   std::vector<frame::TextureId> shadow_maps() const;
 
-  /// With FrameSettings::shade_entries, finds what the picture shows of the skin of all heads: once, after
-  /// the shadow maps of the first batch, so that a device draws before it computes. Else adds nothing.
-  void add_entries();
+  /// Adds the shadow maps of a batch, and after those of the first one add_entries(): so a device draws
+  /// before it computes.
+  void begin_batch(const Batch& batch);
   /// Adds the shadow maps of all lights for the heads of a batch.
   void add_shadows(const Batch& batch);
   /// Adds skin, drawn or shaded, in a pass that is named by name_of("final") or "shade". Nothing if the frame
@@ -52,11 +52,11 @@ class Screen {
   frame::TextureId colour();
   bool take_clear();
   /// Adds skin shaded in parts, of which `surface` takes what is blurred. blurred: the share of each skin
-  /// mesh of the plan. Needs add_entries().
+  /// mesh of the plan. Needs begin_batch().
   void add_split_skin(const std::vector<passes::MapSquare>& skin, const std::vector<gaussians::Rgb>& blurred,
                       const passes::ScreenSurface& surface, const std::string& name);
   /// Adds skin shaded with scattering from tables. curvatures: of each skin mesh of the plan. Needs
-  /// add_entries().
+  /// begin_batch().
   void add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
                                const std::vector<frame::BufferId>& curvatures, std::uint32_t shadow_taps,
                                const std::string& name);
@@ -73,6 +73,9 @@ class Screen {
   FrameOutputs finish();
 
  private:
+  /// With FrameSettings::shade_entries, finds what the picture shows of the skin of all heads. Else adds
+  /// nothing.
+  void add_entries();
   gpu::TextureDesc target(VkFormat format) const;
   bool shaded() const { return entries_.entries.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;

@@ -39,8 +39,7 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
 
   const std::vector<Batch> batches = batches_of(s);
   for (const Batch& batch : batches) {
-    screen.add_shadows(batch);
-    if (batch.number == 0) screen.add_entries();
+    screen.begin_batch(batch);
     const std::vector<passes::MapSquare> skin = squares_of(s, batch);
     if (!skin.empty()) screen.add_split_skin(skin, blurred, surface, label("shade", s, batch));
     if (s.host) continue;

@@ -25,7 +25,7 @@ vec2 middle_of(uint samples) {
   return sum / float(bitCount(samples));
 }
 
-// Where skin is cut, the middle of the pixel was tested, also beside the triangle. Maps have a gap anywhere
+// The middle of the pixel was tested of skin that is cut, also beside the triangle. Maps have a gap anywhere
 // else, and the colour of what is not there.
 bool is_cut_out() { return is_on(material.flags & MATERIAL_ALPHA_MASK); }
 

@@ -95,7 +95,7 @@ class SkinShading {
 
  private:
   SkinVariant::Lit lit_of(const FrameData& frame) const;
-  /// Where some term is read from a map.
+  /// Of skin of which some term is read from a map.
   SkinVariant::Lit lit_by_maps() const {
     return look_.mixes || look_.unscattered ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
   }

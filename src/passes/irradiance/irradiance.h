@@ -18,8 +18,8 @@
 
 namespace dermis::passes {
 
-/// What the passes over lit texels share: a pipeline for each kind of material and each profile, and what
-/// they are given.
+/// A pipeline for each kind of material and each profile, with what it is given: shared by the passes over
+/// lit texels.
 class LitTexels {
  public:
   struct Settings {

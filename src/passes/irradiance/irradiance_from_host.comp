@@ -7,6 +7,7 @@
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
 #include "shaders/cut_chart.glsl"
+#include "passes/irradiance/entered.glsl"
 #include "passes/irradiance/texel.glsl"
 layout(binding = 24) uniform sampler2D host_irradiance;
 layout(binding = 36, rgba16f) uniform writeonly image2D light;
@@ -19,10 +20,6 @@ void main() {
   if (e.a == 0.0) return;
 
   const TexelPoint t = texel_point(corners_at(corners_of(listed.triangle), listed.texel));
-  const CutTexel cut = cut_texel(t.s, t.alpha_reach);
-  const bool cut_away = cut_out && is_cut(cut.uv, cut.colour);
-  const float chart = cut_away ? BORDER_ALPHA : t.chart;
-  const vec3 albedo = cut_away ? albedo_beside(cut) : skin_albedo(t.s);
-  const vec3 before = albedo_power(albedo, material.mix_before);
-  imageStore(light, p, vec4(storable(e.rgb * before * (frame.radiance_scale / pi)), chart));
+  const vec4 before = entered(t.s, t.chart, cut_texel(t.s, t.alpha_reach));
+  imageStore(light, p, vec4(storable(e.rgb * before.rgb * (frame.radiance_scale / pi)), before.a));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a texel of a light map shows, for compute passes over the lit tiles of a square: the triangle that the
-// map of texels names (passes/texel_map), and its vertices' values at the centre of the texel. Needs
-// scene_io.h; COMPUTE_SHADING is defined.
+// Passes over the lit tiles of a square find here the triangle that a texel shows, which the map of texels
+// names (passes/texel_map), and its vertices' values at the centre of the texel. Needs scene_io.h;
+// COMPUTE_SHADING is defined.
 #include "passes/irradiance/texels_io.h"
 #include "shaders/tile_list.glsl"
 #include "shaders/vertex_pull.glsl"

@@ -39,7 +39,6 @@ void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fr
     const std::uint32_t number = mesh_in_asset(frame, square);
     const gpu::Buffer& indices = instance.scene->skin[number].indices;
     Bindings bindings;
-    bindings.add("Frame", frame.frame_io).add("Head", instance.io);
     offer_mesh(instance, number, bindings);
 
     cmd.begin_rendering_area(std::span(&target, 1), {}, square.area(), true);

@@ -11,8 +11,7 @@ FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& setting
   Screen screen(plan, settings);
 
   for (const Batch& batch : batches_of(settings)) {
-    screen.add_shadows(batch);
-    if (batch.number == 0) screen.add_entries();
+    screen.begin_batch(batch);
 
     std::vector<SkinOnScreen> skin;
     for (const passes::MapSquare& square : squares_of(settings, batch))

@@ -50,8 +50,7 @@ FrameOutputs build_pre_integrated(passes::FramePlan& plan, const FrameSettings& 
   const std::uint32_t taps = s.taps > 0 ? s.taps : shadow_taps.usual;
 
   for (const Batch& batch : batches_of(s)) {
-    screen.add_shadows(batch);
-    if (batch.number == 0) screen.add_entries();
+    screen.begin_batch(batch);
     const std::vector<passes::MapSquare> skin = squares_of(s, batch);
     if (!skin.empty()) screen.add_pre_integrated_skin(skin, curvatures, taps, label("shade", s, batch));
     screen.add_surfaces(batch);

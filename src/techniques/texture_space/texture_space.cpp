@@ -98,8 +98,7 @@ FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s
   if (!pool.splits_heads() && maps) maps->add_stretch(one_of_each_unwrap(s));
 
   for (const Batch& batch : batches_of(s)) {
-    screen.add_shadows(batch);
-    if (batch.number == 0) screen.add_entries();
+    screen.begin_batch(batch);
 
     // The first meshes come last, so that what `show` reads is of the first one.
     const std::uint32_t turns = pool.mesh_batches();
