@@ -59,7 +59,12 @@ void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
     draw_skin(
         cmd, instance, number, bindings,
         [&](const GpuDraw&, const GpuMaterial& m) { return pipelines_[m.double_sided][m.cut_out]; },
-        [&](const GpuMaterial&) { return io::IdsIo{.first_id = first_id(part++)}; },
+        [&](const GpuDraw& draw, const GpuMaterial&) {
+          // That of triangle 0 of the mesh, modulo 2^32. Ids of the parts of a draw follow each other.
+          const std::uint32_t first = first_id(part) - draw.first_index / 3;
+          part += draw.parts();
+          return io::IdsIo{.first_id = first};
+        },
         first_corners(instance, number));
   }
   cmd.end_rendering();
