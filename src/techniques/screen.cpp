@@ -123,10 +123,9 @@ void Screen::add_entries() {
   }
 
   entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
-  plan_->add<passes::ClearBuffers>("clear parts", {{entries_.parts}});
   // What a host holds cannot be cleared, nor read.
   ids_depth_ = settings_.host ? plan_->texture("depth of ids", target(passes::depth_format)) : depth_;
-  ids_ = plan_->add<passes::Ids>("ids", {ids_depth_}, ids).ids;
+  ids_ = plan_->add<passes::Ids>("ids", {ids_depth_, entries_.parts}, ids).ids;
   plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});
   plan_->add<passes::PartRanges>("part ranges", {entries_});
   plan_->add<passes::EntryList>("entry list", {entries_});

@@ -20,6 +20,7 @@ Ids::Out Ids::declare(frame::Declare& d) {
   out_.ids = d.create("ids", desc);
   d.colour(out_.ids);
   d.depth(in.depth);
+  d.copy_to(in.parts);
   return out_;
 }
 
@@ -43,6 +44,7 @@ void Ids::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  cmd.fill(resources.buffer(in.parts), 0);
   const gpu::ColourTarget ids{.texture = &resources.texture(out_.ids), .clear = no_light};
   const gpu::DepthTarget depth{.texture = &resources.texture(in.depth),
                                .clear = settings.reversed_depth ? 0.0f : 1.0f};

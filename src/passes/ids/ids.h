@@ -31,6 +31,7 @@ class Ids {
   } settings;
   struct In {
     frame::TextureId depth;  ///< cleared here
+    frame::BufferId parts;   ///< of EntryBuffers, likewise
   } in;
   struct Out {
     frame::TextureId ids;  ///< RGBA8: shared/entries_io.h
