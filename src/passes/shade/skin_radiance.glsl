@@ -20,10 +20,50 @@ layout(binding = 19) uniform sampler2D light_5;
 layout(binding = 20) uniform sampler2D light_6;
 layout(binding = 21) uniform sampler2D light_7;
 
-#include "passes/shade/map_share.glsl"
-#include "passes/shade/light_point.glsl"
-#include "passes/shade/exit_offset.glsl"
-#include "passes/shade/shape_factor.glsl"
+layout(constant_id = 14) const bool mixed = false;  // true: what it can't hold is lit at the pixel
+#ifndef TERMS                                       // a pass may have it elsewhere
+layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
+#endif
+
+// Returns the part of a term that is read from the map, 0..1. Texels spread light by half their side (box and
+// bilinear tent: a variance of a quarter): a Gaussian of less than 0.35 texels is nearer to its own width
+// without the map. The change is slow enough not to show. uv_per_mm: texture coordinates per mm, here.
+float map_share(float sigma_mm, float uv_per_mm) {
+  return mixed ? smoothstep(0.35, 0.7, sigma_mm * uv_per_mm * float(io.map_side)) : 1.0;
+}
+
+// Returns the position of an unwrap coordinate in the pool of light maps, texels: in the square of the head,
+// with its bilinear footprint. Half a texel inside, plus the step to which samplers round: outside the square
+// there may be NaN, which a weight of 0 does not remove. With the step, the extra texel lies inside and
+// weighs at most 1/256.
+vec2 light_point(vec2 unwrap) {
+  const float margin = 0.5 + 1.0 / 256.0;
+  return clamp(unwrap * float(io.map_side), margin, float(io.map_side) - margin) + vec2(io.map_origin);
+}
+
+// Returns by how much the unwrap coordinates change at which skin reads its light: what leaves towards the
+// eye came up along the refracted ray, from below a place further away from the eye
+// (ShapeLaws::exit_offset_mm). border_mm: of body_shape(). n, to_eye: unit.
+vec2 exit_offset(AlongSkin along, float border_mm, vec3 n, vec3 to_eye) {
+  // Beside an open border there is no light. Ways along edges are longer than straight ones.
+  const float offset_m = min(terms.exit_offset_m, 0.7 * border_mm * terms.m_per_mm);
+  const vec3 away_m = (n * dot(n, to_eye) - to_eye) * offset_m;
+  return vec2(dot(along.u, away_m), dot(along.v, away_m));
+}
+
+// Returns how much more or less light leaves than from a flat half-space: curved_total(), slab_front() and
+// exit_factor() of profile/shape_laws.h. shape: mean and half difference of the principal curvatures per mm,
+// thickness in mm. cosine: of the angle of exit.
+vec3 shape_factor(vec3 shape, float cosine) {
+  const vec3 bend = shape.x > 0.0 ? terms.shape.convex_mm : -terms.shape.concave_mm;
+  const vec3 below = max(1.0 + bend * shape.x + terms.shape.difference_mm * shape.y, 0.5);
+  const vec3 total = clamp(
+      1.0 + terms.shape.curvature_mm * shape.x / below + terms.shape.difference_mm2 * (shape.y * shape.y),
+      0.3, 2.5);
+  const vec3 front = 1.0 - terms.shape.front_share * exp(-shape.z * terms.shape.front_per_mm);
+  const float c = clamp(cosine, 0.0, 1.0);
+  return total * front * (terms.shape.exit_grazing + terms.shape.exit_change * (c * c));
+}
 
 // Returns whether a term is read from its map. One without weight may not have been written: 0 times NaN is
 // NaN.

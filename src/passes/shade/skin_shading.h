@@ -44,7 +44,7 @@ struct SkinLook {
   /// some triangles have no chart of the unwrap: they are lit per pixel, without scattering
   bool off_map = false;
   std::bitset<SkinKind::count> kinds = 1;  ///< of the mesh's skin, by index()
-  /// what MappedTerms leaves out is lit at the pixel, and what the map has too few texels for: map_share.glsl
+  /// what MappedTerms leaves out is lit at the pixel, and what the map has too few texels for: map_share()
   bool mixes = false;
   /// some light leaves where it entered, for which the weights leave room: it is lit per pixel
   bool unscattered = false;
