@@ -23,8 +23,10 @@ struct MappedTerms {
   /// The term of that step. Its map and all after it are written.
   std::uint32_t first_written = 0;
 
-  /// The part of each term that is read from its map; the rest is lit at the pixel.
+  /// The part of each term that is read from its map; the rest is lit at the pixel. After the mapped terms:
+  /// of all narrower ones together, from the light before any blur.
   std::array<float, MOST_TERMS> shares = all_of_each();
+  float shown_mm = 0;  ///< of the asset: by how much a pixel averages light, as a sigma
   bool operator==(const MappedTerms&) const = default;
 
  private:

@@ -190,7 +190,7 @@ double before_close_ups(const techniques::FrameSettings& plan, const techniques:
 
 // T_max of a model is that of a near head, or of a close-up in this frame, and maps hold what shows there. So
 // a plan changes where a head comes closer than that, and not before; other models change nothing for it.
-void hold_what_shows(FrameSetup& setup) {
+void hold_what_shows(FrameSetup& setup, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
   const std::uint32_t limit = std::exchange(plan.map_size, 0);
   plan.stretch_side = std::min(limit, most_stretch_side);
@@ -214,13 +214,19 @@ void hold_what_shows(FrameSetup& setup) {
     for (techniques::SkinPart& part : parts) {
       part.map_size = finest.side;
       part.first_mapped = techniques::first_mapped(part, finest);
+      const auto is_coarse = [&](const HeadSetup& head) {
+        return head.model == number && head.visible && techniques::entered_share(part, head.detail) > 0;
+      };
+      part.reads_entered = part.first_mapped > 0 && part.mapped_count() < MOST_TERMS &&
+                           (every_view || std::ranges::any_of(setup.heads, is_coarse));
     }
     if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
   }
 }
 
 // Decides how large light maps are: T_max, and T of each head.
-void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s) {
+void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s,
+                      bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
   plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
   if (plan.skin.empty() || !setup.technique->has_light_maps) return;
@@ -236,7 +242,7 @@ void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subject
     else if (plan.optimise.depth && !subjects[head.instance]->skin.empty())
       detail.side = static_cast<std::uint32_t>(paper_side(*subjects[head.instance], s, detail.pixels_per_mm));
   }
-  if (plan.mixes()) hold_what_shows(setup);
+  if (plan.mixes()) hold_what_shows(setup, every_view);
 }
 
 // How many Gaussians the profile of a part has, that without width too.
@@ -316,7 +322,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
     plan.mask = s.quality.mask.value_or(BlurMask::depth);
     plan.all_mapped = setup.technique->as_published;
   }
-  set_up_map_sides(setup, subjects, s);
+  set_up_map_sides(setup, subjects, s, every_view);
 
   if (setup.technique->uses_profile) {
     plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();

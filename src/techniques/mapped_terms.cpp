@@ -16,12 +16,23 @@ namespace {
 // denser: as map_share() of skin_radiance.glsl has it.
 constexpr double mapped_sigma_texels = 0.35;
 
+// Sigma, in pixels, by which a pixel averages light: as a map holds a term of some sigma, it holds light that
+// is not blurred where pixels are that coarse.
+constexpr double pixel_sigma = 0.5;
+// The rest stays lit at the pixel, where rims that are lit from behind are dark as they should be: the mean
+// of both is nearer to the truth than either.
+constexpr double most_entered_share = 0.5;
+
+double smoothstep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 // Returns the part of a term that is read from the map.
 float mapped_share(const SkinPart& part, double sigma_mm, const MapDetail& detail) {
   if (sigma_mm * part.mean_uv_per_mm * detail.side < mapped_sigma_texels) return 0;
   const double over = sigma_mm * detail.pixels_per_mm / least_sigma_pixels(part, sigma_mm) - 1;
-  const double t = std::clamp(2 * over, 0.0, 1.0);
-  return static_cast<float>(t * t * (3 - 2 * t));
+  return static_cast<float>(smoothstep(0, 0.5, over));
 }
 
 }  // namespace
@@ -30,6 +41,12 @@ double least_sigma_pixels(const SkinPart& part, double sigma_mm) {
   if (sigma_mm < part.wide_mm) return 2.5;
   const bool widest = sigma_mm * sigma_mm >= part.profile.max_variance_mm2() * (1 - 1e-9);
   return widest ? 0.35 : 0.6;
+}
+
+float entered_share(const SkinPart& part, const MapDetail& detail) {
+  const double sigma_texels = pixel_sigma / detail.pixels_per_mm * part.mean_uv_per_mm * detail.side;
+  const double most = smoothstep(mapped_sigma_texels, 1.5 * mapped_sigma_texels, sigma_texels);
+  return static_cast<float>(most_entered_share * most);
 }
 
 std::uint32_t first_mapped(const SkinPart& part, const MapDetail& finest) {
@@ -56,6 +73,8 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
   }
   terms.any = terms.first_read < mapped.size();
   if (!terms.any) return terms;
+  terms.shown_mm = static_cast<float>(pixel_sigma / detail.pixels_per_mm);
+  if (part.reads_entered) terms.shares[mapped.size()] = entered_share(part, detail);
 
   // From the irradiance, one kernel reaches as far as the first step of blur_steps() does at T_max, counted
   // in texels of this map. The chain starts with the last step within that reach.

@@ -18,6 +18,11 @@ inline constexpr double held_sigma_texels = 0.9;
 /// are on maps of close-ups alone.
 double least_sigma_pixels(const SkinPart& part, double sigma_mm);
 
+/// Returns the part of the light of narrower terms than SkinPart::mapped() that pixels of a head read from
+/// the light before any blur: a texel averages light better than the two points at which a coarse pixel is
+/// lit.
+float entered_share(const SkinPart& part, const MapDetail& detail);
+
 /// Returns the narrowest term that a map of T_max texels holds, where pixels are no finer than this, and all
 /// after it are; the widest if none is, as a map has at least one term.
 std::uint32_t first_mapped(const SkinPart& part, const MapDetail& finest);

@@ -39,6 +39,9 @@ struct SkinPart {
   std::uint32_t map_size = 0;
   /// The terms of `profile` that light maps may hold, all from this one on; the others are lit at the pixel.
   std::uint32_t first_mapped = 0;
+  /// Some head is so far away that pixels read the light before any blur in place of the terms before
+  /// mapped(): entered_share() of mapped_terms.h.
+  bool reads_entered = false;
   std::span<const gaussians::Gaussian> mapped() const {
     return std::span(profile.terms).subspan(first_mapped);
   }

@@ -85,6 +85,7 @@ void LitTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
 Irradiance::Out Irradiance::declare(frame::Declare& d) {
   LitTexels::declare(d, settings, in.texels);
   d.write(in.light);
+  if (in.entered.valid()) d.write(in.entered);
   if (settings.from_host) d.sample(in.host_irradiance);
   if (!settings.through.empty()) {
     DERMIS_ASSERT_LT(in.joining.size(), std::size_t{TRANSMISSION_GROUPS});
@@ -99,14 +100,16 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
     return;
   }
   const std::size_t groups = settings.through.empty() ? 0 : in.joining.size() + 1;
-  lit_.prepare(library, fmt::format("irradiance_{}.comp", groups), settings, in.texels,
-               {{"environment", settings.environment ? 1u : 0u}});
+  gpu::Constants constants{{"environment", settings.environment ? 1u : 0u}};
+  if (groups > 0) constants.emplace_back("stores_entered", in.entered.valid() ? 1u : 0u);
+  lit_.prepare(library, fmt::format("irradiance_{}.comp", groups), settings, in.texels, constants);
 }
 
 void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   static constexpr const char* joining[] = {"joining_1", "joining_2"};
   Bindings bindings;
   bindings.add("light", resources.storage(in.light));
+  bindings.add("entered_light", resources.storage(in.entered.valid() ? in.entered : in.light));
   if (settings.from_host) bindings.add("host_irradiance", resources.nearest(in.host_irradiance));
   if (!settings.through.empty())
     for (std::size_t g = 0; g < in.joining.size(); ++g)

@@ -17,6 +17,10 @@
 #include "passes/irradiance/entered.glsl"
 #include "passes/irradiance/texel.glsl"
 layout(binding = 36, rgba16f) uniform writeonly image2D light;
+#if GROUPS > 0
+layout(binding = 42, rgba16f) uniform writeonly image2D entered_light;
+layout(constant_id = 25) const bool stores_entered = false;
+#endif
 #if GROUPS > 1
 layout(binding = 37, rgba16f) uniform writeonly image2D joining_1;
 #endif
@@ -26,6 +30,7 @@ layout(binding = 38, rgba16f) uniform writeonly image2D joining_2;
 
 struct LitTexel {
   vec4 group[TARGETS];
+  vec4 entered;  // without transmitted light
 };
 
 // Needs s.normal to be unit. `unwrap`: texture coordinates of the light map.
@@ -43,13 +48,14 @@ LitTexel lit_texel(ShadingPoint s, vec2 unwrap, float chart_there, CutTexel cut)
 #if GROUPS > 0
   const vec3 entering = r.skin.entering + entering_surroundings(s, n, unwrap);
   lit.group[0] = vec4(storable((entering * before.rgb + joining(r, 0)) * scale), chart);
+  lit.entered = vec4(storable(entering * before.rgb * scale), chart);
 #if GROUPS > 1
   for (int g = 1; g < GROUPS; ++g) lit.group[g] = vec4(storable(joining(r, g) * scale), chart);
 #endif
 #else
   const vec3 entering =
       lit_skin(s, n, skin_specular(s), true, unseen).entering + entering_surroundings(s, n, unwrap);
-  lit.group[0] = vec4(storable(entering * before.rgb * scale), chart);
+  lit.group[0] = lit.entered = vec4(storable(entering * before.rgb * scale), chart);
 #endif
   return lit;
 }
@@ -63,6 +69,9 @@ void main() {
 
   const ivec2 p = listed.texel + ivec2(io.origin);
   imageStore(light, p, lit.group[0]);
+#if GROUPS > 0
+  if (stores_entered) imageStore(entered_light, p, lit.entered);
+#endif
 #if GROUPS > 1
   imageStore(joining_1, p, lit.group[1]);
 #endif

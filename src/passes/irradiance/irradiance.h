@@ -61,6 +61,8 @@ class Irradiance {
   using Settings = LitTexels::Settings;
   struct In {
     frame::TextureId light;  ///< RGBA16F pool, 0 in the used squares
+    /// With `through`: likewise, for the light without what comes through the body; not valid: not stored.
+    frame::TextureId entered = {};
     LitTexels::In texels;
     /// With `through`: RGBA16F pools, likewise 0, for the light that joins at the second and the third group
     /// of terms, as many as the mesh with most groups needs.

@@ -8,8 +8,9 @@
 DERMIS_IO_BEGIN
 struct ShadeIo {
   vec3 weights[MOST_TERMS];  // of the profile, narrow to wide; a channel sums to 1
-  uvec2 map_origin;          // of the head's square in the pool of light maps
+  uint map_origin;           // of the head's square in the pool of light maps, x below y: 16 bits each
   uint map_side;             // T, texels
+  float shown_mm;            // by how much a pixel averages light, as a sigma
   uint through_rays;         // 1: some of the light of wide terms comes through at the pixel
   uint part;
   uint first_triangle;  // of the part, in its mesh

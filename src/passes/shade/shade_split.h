@@ -6,20 +6,20 @@
 #include <array>
 
 #include "passes/entry_buffers.h"
-#include "passes/shade/skin_shading.h"
 #include "passes/screen_surface.h"
+#include "passes/shade/skin_shading.h"
 
 namespace dermis::passes {
 
 class ShadeSplit {
  public:
   struct Settings {
-    SkinLook look;                                    ///< without terms
-    std::array<float, 3> blurred{1, 1, 1};            ///< share of the light that is blurred
-    double mm_per_unit = 1000;                        ///< mm of the asset per metre of the world
-    std::uint32_t first_part = 0;  ///< of the mesh, as for Ids
+    SkinLook look;                          ///< without terms
+    std::array<float, 3> blurred{1, 1, 1};  ///< share of the light that is blurred
+    double mm_per_unit = 1000;              ///< mm of the asset per metre of the world
+    std::uint32_t first_part = 0;           ///< of the mesh, as for Ids
     std::uint32_t first_part_of_head = 0, end_part_of_head = 0;
-    std::uint32_t samples = 1;                        ///< of the ids
+    std::uint32_t samples = 1;  ///< of the ids
   } settings;
   struct In {
     SkinLights lights;

@@ -11,6 +11,8 @@
 #endif
 layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool direct = false;  // what the weights lack of 1 is lit per pixel
+// One of the terms is the light before any blur, for the narrow terms: no light comes through the body there.
+layout(constant_id = 25) const int entered_term = -1;
 layout(binding = 14) uniform sampler2D light_0;
 layout(binding = 15) uniform sampler2D light_1;
 layout(binding = 16) uniform sampler2D light_2;
@@ -27,10 +29,13 @@ layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
 
 // Returns the part of a term that is read from the map, 0..1. Texels spread light by half their side (box and
 // bilinear tent: a variance of a quarter): a Gaussian of less than 0.35 texels is nearer to its own width
-// without the map. The change is slow enough not to show. uv_per_mm: texture coordinates per mm, here.
+// without the map, unless the pixel averages as much. The change is slow enough not to show. uv_per_mm:
+// texture coordinates per mm, here.
 float map_share(float sigma_mm, float uv_per_mm) {
-  return mixed ? smoothstep(0.35, 0.7, sigma_mm * uv_per_mm * float(io.map_side)) : 1.0;
+  const float shown_mm = max(sigma_mm, io.shown_mm);
+  return mixed ? smoothstep(0.35, 0.7, shown_mm * uv_per_mm * float(io.map_side)) : 1.0;
 }
+uvec2 map_origin() { return uvec2(io.map_origin & 0xFFFFu, io.map_origin >> 16); }
 
 // Returns the position of an unwrap coordinate in the pool of light maps, texels: in the square of the head,
 // with its bilinear footprint. Half a texel inside, plus the step to which samplers round: outside the square
@@ -38,7 +43,7 @@ float map_share(float sigma_mm, float uv_per_mm) {
 // weighs at most 1/256.
 vec2 light_point(vec2 unwrap) {
   const float margin = 0.5 + 1.0 / 256.0;
-  return clamp(unwrap * float(io.map_side), margin, float(io.map_side) - margin) + vec2(io.map_origin);
+  return clamp(unwrap * float(io.map_side), margin, float(io.map_side) - margin) + vec2(map_origin());
 }
 
 // Returns by how much the unwrap coordinates change at which skin reads its light: what leaves towards the
@@ -105,7 +110,8 @@ vec3 through_share(LitThrough r, OnMap on) {
     mean += joining(r, g);
     vec3 share = transmission.group_weight[g];
     for (int i = 0; i < term_count; ++i)
-      if (transmission.group[terms.first_mapped + uint(i)] == uint(g)) share -= mapped_weight(i, on);
+      if (i != entered_term && transmission.group[terms.first_mapped + uint(i)] == uint(g))
+        share -= mapped_weight(i, on);
     sum += share * mean;
   }
   return sum;

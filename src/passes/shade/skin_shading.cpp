@@ -32,7 +32,7 @@ gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
                        const std::optional<ThroughMesh>& through) {
   io::ThroughTermsIo io{};
   std::copy(terms.sigmas_mm.begin(), terms.sigmas_mm.end(), io.terms.sigma_mm);
-  io.terms.widest_mm = terms.sigmas_mm.empty() ? 0 : terms.sigmas_mm.back();
+  io.terms.widest_mm = terms.sigmas_mm.empty() ? 0 : std::ranges::max(terms.sigmas_mm);
   if (terms.shape) {
     io.terms.shape = shape_io(*terms.shape);
     io.terms.exit_offset_m = static_cast<float>(mean(terms.shape->exit_offset_mm) / terms.mm_per_unit);
@@ -101,6 +101,7 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
   const auto terms = static_cast<std::uint32_t>(look_.weights.size());
   const bool at_pixel = variant.lit == SkinVariant::Lit::at_pixel;
   gpu::Constants constants{{"term_count", at_pixel ? 0u : terms},
+                           {"entered_term", look_.entered && !at_pixel ? terms - 1 : ~0u},
                            {"direct", variant.lit != SkinVariant::Lit::on_map ? 1u : 0u},
                            {"environment", look_.environment ? 1u : 0u},
                            {"soft_shadows", look_.soft_shadows ? 1u : 0u},
@@ -124,18 +125,21 @@ void SkinShading::add_through_constants(gpu::Constants& constants) const {
 io::ShadeIo SkinShading::io(const FrameData& frame) const {
   const MappedTerms mapped = terms_of(frame, look_.square);
   const bool at_pixel = look_.weights.empty() || look_.off_map || !mapped.any;
+  const glm::uvec2 origin = used_square(frame, look_.square).origin;
   io::ShadeIo io{.weights = {},
-                     .map_origin = used_square(frame, look_.square).origin,
-                     .map_side = instance_of(frame, look_.square).map_side,
-                     .through_rays = at_pixel ? 1u : 0u,
-                     .part = 0,
-                     .first_triangle = 0,
-                     .first_row = 0,
-                     .width = 0};
+                 .map_origin = origin.x | origin.y << 16,
+                 .map_side = instance_of(frame, look_.square).map_side,
+                 .shown_mm = mapped.shown_mm,
+                 .through_rays = at_pixel ? 1u : 0u,
+                 .part = 0,
+                 .first_triangle = 0,
+                 .first_row = 0,
+                 .width = 0};
   for (std::size_t i = 0; i < look_.weights.size(); ++i) {
     const auto& [r, g, b] = look_.weights[i];
     io.weights[i] = mapped.shares[i] * glm::vec3(r, g, b);
-    if (mapped.shares[i] < 1) io.through_rays = 1;
+    const bool is_term = !look_.entered || i + 1 < look_.weights.size();
+    if (is_term && mapped.shares[i] < 1) io.through_rays = 1;
   }
   return io;
 }

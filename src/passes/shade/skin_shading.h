@@ -37,6 +37,7 @@ struct SkinLook {
   MapSquare square;
   /// one per term that maps hold, 0 to 8; none = Lambert. What they lack of 1 is lit at the pixel.
   std::vector<std::array<float, 3>> weights;
+  bool entered = false;       ///< the last weight is that of the light before any blur: MappedTerms
   bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
   bool soft_shadows = false;  ///< lights with a radius cast penumbrae
   /// 1 or 2: points at which an entry is shaded that covers its pixel

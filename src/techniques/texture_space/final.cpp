@@ -2,6 +2,7 @@
 #include "techniques/texture_space/final.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -46,13 +47,22 @@ SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const
   std::optional<passes::ThroughMesh> through;
   if (settings.translucency) through = part.through(square.mesh);
 
-  return {.look = {.square = square,
-                   .weights = weights(part.mapped()),
-                   .mixes = settings.mixes(),
-                   .unscattered = part.unscattered != gaussians::Rgb{},
-                   .terms = terms_on_map(part),
-                   .through = std::move(through)},
-          .maps = read_maps(maps, part)};
+  SkinOnScreen skin{.look = {.square = square,
+                             .weights = weights(part.mapped()),
+                             .entered = part.reads_entered,
+                             .mixes = settings.mixes(),
+                             .unscattered = part.unscattered != gaussians::Rgb{},
+                             .terms = terms_on_map(part),
+                             .through = std::move(through)},
+                    .maps = read_maps(maps, part)};
+  if (!skin.look.entered) return skin;
+  std::array<float, 3> narrow{};
+  for (const std::array<float, 3>& weight : weights(std::span(part.profile.terms).first(part.first_mapped)))
+    for (std::size_t c = 0; c < 3; ++c) narrow[c] += weight[c];
+  skin.look.weights.push_back(narrow);
+  skin.look.terms.sigmas_mm.push_back(0);
+  skin.maps.push_back(maps.entered());
+  return skin;
 }
 
 }  // namespace

@@ -28,6 +28,9 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
 
   light_ = plan.texture("irradiance", pool_.texture());
   scratch_ = plan.texture("scratch", pool_.texture());
+  entered_ = light_;
+  if (settings.translucency && std::ranges::any_of(settings.skin, &SkinPart::reads_entered))
+    entered_ = plan.texture("entered light", pool_.texture());
   std::size_t terms = 0, groups = 1;
   for (const SkinPart& part : settings.skin) {
     terms = std::max<std::size_t>(terms, part.mapped_count());
@@ -64,6 +67,7 @@ std::vector<frame::TextureId> LightMaps::textures() const {
   all.insert(all.end(), transmitted_.begin(), transmitted_.end());
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
   for (const frame::TextureId map : {texels_, light_, scratch_}) all.push_back(map);
+  if (entered_.index != light_.index) all.push_back(entered_);
   return all;
 }
 
@@ -129,8 +133,10 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
   if (settings_->translucency)
     for (const std::uint32_t mesh : meshes_of(all)) irradiance.through.push_back(skin[mesh].through(mesh));
   const passes::LitTexels::In texels{screen_->shadow(), screen_->entering(), texels_, tiles_};
-  plan_->add<passes::Irradiance>(name("irradiance"), {light_, texels, transmitted_, host_irradiance_},
-                                 irradiance);
+  const bool apart = entered_.index != light_.index;
+  plan_->add<passes::Irradiance>(
+      name("irradiance"),
+      {light_, apart ? entered_ : frame::TextureId{}, texels, transmitted_, host_irradiance_}, irradiance);
   if (settings_->translucency)
     plan_->add<passes::TransmissionMisses>(name("count transmission misses"), {texels, screen_->counters()},
                                            {irradiance, counter_transmission_misses});
@@ -144,12 +150,16 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
                                .squares = of_mesh(all, mesh)}});
   plan_->add<Together<passes::Count>>(name("count texels"), counts);
 
-  plan_->add<Gutters>(name("irradiance gutters"), {light_}, {.squares = all});
+  Together<Gutters>::In gutters;
+  gutters.members.push_back({{light_}, {.squares = all}});
+  if (apart) gutters.members.push_back({{entered_}, {.squares = all}});
+  plan_->add<Together<Gutters>>(name("irradiance gutters"), gutters);
 }
 
 // Finds the tiles that are lit and blurred, and clears the maps, whose other tiles taps may read.
 void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
   std::vector<frame::TextureId> maps{light_, scratch_};
+  if (entered_.index != light_.index) maps.push_back(entered_);
   maps.insert(maps.end(), transmitted_.begin(), transmitted_.end());
   maps.insert(maps.end(), blurred_.begin(), blurred_.end());
   plan_->add<passes::ClearTexels>(name("clear light"),

@@ -33,9 +33,10 @@ class LightMaps {
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
   const MapPool& pool() const { return pool_; }
-  frame::TextureId light() const { return light_; }                          ///< what the first blur reads
-  frame::TextureId scratch() const { return scratch_; }                      ///< between both axes of a blur
-  const passes::TileLists& tiles() const { return tiles_; }                  ///< that are lit and blurred
+  frame::TextureId light() const { return light_; }          ///< what the first blur reads
+  frame::TextureId entered() const { return entered_; }      ///< without light through the body
+  frame::TextureId scratch() const { return scratch_; }      ///< between both axes of a blur
+  const passes::TileLists& tiles() const { return tiles_; }  ///< that are lit and blurred
   const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
   /// Returns the stretch map of a mesh. Meshes that take turns with a square take turns with this, too.
@@ -59,7 +60,7 @@ class LightMaps {
   Screen* screen_;
   MapPool pool_;
   std::uint32_t turn_ = 0;  // of the pool
-  frame::TextureId light_, scratch_;
+  frame::TextureId light_, scratch_, entered_;
   passes::TileLists tiles_;
   std::vector<frame::TextureId> blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head

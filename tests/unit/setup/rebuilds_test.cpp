@@ -162,11 +162,11 @@ struct Tried {
   int values = 0, new_plans = 0;
 };
 
-// Whatever moves the camera makes a new plan where a head comes close, or is no longer: that is no row's.
+// Whatever moves the camera makes a new plan where a head comes close or goes far away: that is no row's.
 void leave_out_close_ups(techniques::FrameSettings& plan, const techniques::FrameSettings& before) {
   if (!plan.mixes() || !before.mixes() || plan.skin.size() != before.skin.size()) return;
   const auto same = [](const techniques::SkinPart& a, const techniques::SkinPart& b) {
-    return a.map_size == b.map_size && a.first_mapped == b.first_mapped;
+    return a.map_size == b.map_size && a.first_mapped == b.first_mapped && a.reads_entered == b.reads_entered;
   };
   if (std::ranges::equal(plan.skin, before.skin, same)) return;
   plan.map_size = before.map_size;
@@ -177,6 +177,7 @@ void leave_out_close_ups(techniques::FrameSettings& plan, const techniques::Fram
   for (std::size_t i = 0; i < plan.skin.size(); ++i) {
     plan.skin[i].map_size = before.skin[i].map_size;
     plan.skin[i].first_mapped = before.skin[i].first_mapped;
+    plan.skin[i].reads_entered = before.skin[i].reads_entered;
   }
 }
 
