@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # gpu_kit.sh make   Packs the program, its measurements and heads into one archive for a machine with a GPU
-# and nothing else: docs/gpu.md. The archive appears under its name only when complete. The first problem ends
-# the run: one line, exit status 1.
+# and nothing else: docs/methodology.md. The archive appears under its name only when complete. The first
+# problem ends the run: one line, exit status 1.
 set -euo pipefail
 export LC_ALL=C
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes copies of a scene with maps as large as a file may have: docs/measuring.md, "Memory of large maps".
+"""Writes copies of a scene with maps as large as a file may have: docs/performance.md, "Memory".
 
 usage: tools/large_maps.py OUT [SCENE.gltf] [--side PIXELS]
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures heads in a clip against ground truth, by region: docs/truth.md, "Heads that move".
+"""Measures heads in a clip against ground truth, by region: docs/accuracy.md, "Heads that move".
 
 usage: tools/motion_truth.py OUT HEAD.glb... [options]
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Draws glTF files, small, and prints what each process took at most, MB.
-docs/measuring.md, "Memory of a file".
+docs/performance.md, "Memory".
 
 usage: tools/peak_memory.py FILE|FOLDER... [--dermis PROGRAM] [-- OPTIONS of dermis render]
 

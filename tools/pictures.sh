@@ -15,9 +15,8 @@ makehuman=${MAKEHUMAN:-../shared/assets/makehuman}
 environments=${ENVIRONMENTS:-../shared/assets/environments}
 scan=assets/heads/lee-perry-smith
 out=out/pictures
-names=(hard-light ear-from-behind three-skins environments soft-shadows backlit truth-side truth-studio
-  shape-aware regions skin-sets tone-maps turntable talking head-studio head-hard-light head-beside-scan
-  peers peers-heads)
+names=(hard-light ear-from-behind three-skins environments soft-shadows truth-side truth-studio shape-aware
+  regions skin-sets tone-maps turntable head-studio head-hard-light peers peers-heads)
 
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
@@ -98,15 +97,7 @@ soft-shadows() {
   join $1 427x480 $out/soft-0.png $out/soft-0.1.png $out/soft-0.4.png
 }
 
-backlit() {
-  local common=($scan-backlit.gltf --fov 13.5 --ambient 0.15 --size 600x600 --shadow-size 4096)
-  render off "${common[@]}" --translucency off
-  render on "${common[@]}"
-  render profile $scan-profile.gltf --size 600x600 --shadow-size 4096
-  join $1 600x600 $out/off.png $out/on.png $out/profile.png
-}
-
-# Of fewer samples than the tables of docs/truth.md have: enough for a picture.
+# Of fewer samples than the tables of docs/accuracy.md have: enough for a picture.
 side() {
   [[ -e $out/side.html ]] ||
     compare side --scene $scan.gltf --camera portrait --light 90,10 \
@@ -192,35 +183,6 @@ head-studio() { head_sheet $1 --environment studio --background studio --light 4
 
 head-hard-light() { head_sheet $1 --light 60,25,4 --ambient 0.03; }
 
-# The scan above, the built-in head below: three quarters, near the eye, the ear, the mouth; lit from behind.
-head-beside-scan() {
-  local studio="--environment studio --background studio --light 40,30,2"
-  local behind="--light 145,20,5 --ambient 0.03"
-  views_of $1-scan $scan.gltf "--eye 0.686,0.16,0.979 --target 0,0.055,0 --fov 17 $studio" \
-    "--eye 0.06,0.088,0.41 --target 0.029,0.093,0.09 --fov 9 $studio" \
-    "--eye 0.4,0.077,0.045 --target 0.075,0.067,0.005 --fov 13 $studio" \
-    "--eye 0.1,0.04,0.41 --target 0,0.025,0.1 --fov 11 $studio" \
-    "--eye 0.686,0.16,0.979 --target 0,0.055,0 --fov 17 $behind"
-  views_of $1-built-in built-in:light "--eye 0.686,0.105,0.979 --target 0,0,0 --fov 17 $studio" \
-    "--eye 0.06,0.03,0.4 --target 0.031,0.036,0.08 --fov 9 $studio" \
-    "--eye 0.4,0.03,0.03 --target 0.075,0.02,-0.01 --fov 13 $studio" \
-    "--eye 0.1,-0.02,0.4 --target 0,-0.035,0.09 --fov 11 $studio" \
-    "--eye 0.686,0.105,0.979 --target 0,0,0 --fov 17 $behind"
-  convert $out/$1-scan.png $out/$1-built-in.png -append -quality 88 -strip "docs/pictures/$1.jpg"
-}
-
-# views_of NAME HEAD VIEW...: a row of pictures, out/pictures/NAME.png
-views_of() {
-  local name=$1 head=$2 view row=()
-  shift 2
-  for view; do
-    # shellcheck disable=SC2086
-    render $name-${#row[@]} $head --size 288x320 --map-size 1024 $view
-    row+=("$out/$name-${#row[@]}.png")
-  done
-  convert "${row[@]}" +append "$out/$name.png"
-}
-
 # peers_row NAME SIZE ARGUMENTS...: truth and techniques, below maps of FLIP; out/pictures/NAME.png
 peers_row() {
   compare $1 "${@:3}" --techniques all --model gaussians --size $2 --samples 128
@@ -255,12 +217,8 @@ sequence() {
 }
 
 turntable() {
-  sequence $1 $scan.gltf --orbit 0,5..360,5 --fps 2 --light 40,25 --light -120,30,2 --size 240x270
-}
-
-talking() {
-  sequence $1 "$makehuman/mh-european-man-young.glb" --fps 2 --to 6 --light 40,25 \
-    --map-size 1024 --size 180x200
+  sequence $1 $scan.gltf --orbit -15,5..105,5 --fps 6 --to 1 --light 72,22,4.5 \
+    --light=-70,5,0.2 --ambient 0.04 --background "#3a424d" --size 300x320
 }
 
 [[ -x $dermis ]] || fail "$dermis is not there; ./run build makes it"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures skin under skies with suns against ground truth: docs/truth.md, "A sun in the sky".
+"""Measures skin under skies with suns against ground truth: docs/accuracy.md, "Environments and suns".
 
 usage: tools/sun_table.py OUT [options]
 

@@ -219,7 +219,7 @@ void add_table_options(CLI::App& command, CompareArguments& a) {
   for (const test_scenes::TestScene& scene : test_scenes::all()) scenes.emplace_back(scene.name);
   add("--test-scenes", a.test_scenes, one_of(scenes), "all",
       "all, none, or names: scenes for what techniques cannot do, at the smallest of the sizes "
-      "(docs/peers.md)");
+      "(docs/choosing.md)");
 }
 
 // Everything that belongs to a scene says so when there is none.

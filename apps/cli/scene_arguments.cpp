@@ -211,7 +211,7 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("--scene", arguments.scene,
                     "techniques against ground truth: a .gltf, .glb or scene file, 'built-in' for the "
-                    "built-in head, or a test scene, 'test:NAME' (docs/peers.md)")
+                    "built-in head, or a test scene, 'test:NAME' (docs/choosing.md)")
         ->type_name(scene_type)
         ->group("Scene");
     return;
@@ -227,7 +227,7 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
           "SCENE", arguments.scenes,
           "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each other; "
           "'built-in', or nothing: the built-in head, also built-in:light and built-in:dark; 'test:NAME': a "
-          "test scene (docs/peers.md)")
+          "test scene (docs/choosing.md)")
       ->type_name(scene_type)
       ->default_str("");
   const auto read = [&arguments](const std::string& name) {

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The figures of docs/truth.md: bench/truth/truth.sh OUT, from the root of the tree, after a build and ./run
-# fetch-assets. TONE_MAP: of the display values (default natural).
-# One JSON and one page a case; a case whose JSON is there is not made again. tools/truth_table.py OUT prints
-# the tables.
+# The figures of docs/accuracy.md: bench/truth/truth.sh OUT, from the root of the tree, after a build and
+# ./run fetch-assets. TONE_MAP: of the display values (default natural).
+# One JSON and one page a case; a case whose JSON is there is not made again. tools/truth_record.py OUT COMMIT
+# writes the record.
 set -eu
 out=$1
 dermis=${DERMIS:-build/release/dermis}

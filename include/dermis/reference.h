@@ -101,8 +101,8 @@ struct PictureRegion {
 
 /// Returns the parts of a picture where techniques differ from the truth for different reasons, found from
 /// the scene, its camera and its lights: "skin", "ears", "nose", "terminator", "shadow edges", "thin parts",
-/// "folds", "seams", "the rest" (docs/truth.md says how each is found). Any may be empty. Needs no device.
-/// Throws as render_reference() does, and Cancelled if a hook ends the work.
+/// "folds", "seams", "the rest" (docs/methodology.md says how each is found). Any may be empty. Needs no
+/// device. Throws as render_reference() does, and Cancelled if a hook ends the work.
 std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings,
                                            const Hooks& hooks = {});
 

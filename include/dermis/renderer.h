@@ -39,7 +39,7 @@ struct PassStatistics {
   std::uint64_t texels = 0, image_bytes = 0;
 };
 
-/// What was rendered, on what, and what it cost. docs/measuring.md says how each figure is taken.
+/// What was rendered, on what, and what it cost. docs/methodology.md says how each figure is taken.
 struct Statistics {
   /// names, for display; api is the version of Vulkan
   std::string device, driver, api, technique;
@@ -95,7 +95,7 @@ struct Statistics {
   /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 
-  /// Returns an object with the keys of docs/measuring.md, as the program's --stats writes it.
+  /// Returns an object with the keys of docs/methodology.md, as the program's --stats writes it.
   std::string json() const;
 };
 

@@ -67,8 +67,8 @@ struct Labels {
   std::vector<float> motion_px;
   enum Region : std::uint8_t { no_region, nose, ear, other_skin };
   /// A Region: nose and ears of a head that looks along +Z in its asset's coordinates, found from its shape
-  /// as picture_regions() finds them (docs/truth.md), at the vertices of the skin. `other_skin` is the rest
-  /// of the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
+  /// as picture_regions() finds them (docs/methodology.md), at the vertices of the skin. `other_skin` is the
+  /// rest of the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
   std::vector<std::uint8_t> region;
   /// 0: no skin is there. Else 1 + the number of the skin mesh in the asset: parts of it that share a light
   /// map.

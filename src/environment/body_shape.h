@@ -18,7 +18,7 @@ inline constexpr float most_thickness_mm = 50;  ///< what is thicker has this
 inline constexpr float most_border_mm = 20;     ///< what is further from a border has this
 
 /// The scales at which curvature is taken. How light answers to a bump falls with the bump's size as its
-/// profile does, narrow and wide; docs/truth.md ("Skin that knows its shape") compares scales.
+/// profile does, narrow and wide; docs/accuracy.md ("Skin that knows its shape") compares scales.
 inline constexpr scene::CurvatureScales curvature_scales{.narrow_mm = 2.5, .wide_mm = 8};
 
 /// Finds the shape at each vertex of a mesh. Convex curvature counts by the share of the directions around

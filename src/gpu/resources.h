@@ -23,7 +23,7 @@ enum class BufferPlace : std::uint8_t { device, upload, readback };
 
 /// Of buffers whose usage has UNIFORM_TEXEL_BUFFER: 16 bytes, as they are. Where invocations read at places
 /// of their own, the software driver takes as long for a texel as for one float of a storage buffer
-/// (docs/measuring.md).
+/// (docs/notes/performance.md).
 inline constexpr VkFormat texel_format = VK_FORMAT_R32G32B32A32_UINT;
 /// The usage of buffers that some shaders read as texels and others as structures.
 inline constexpr VkBufferUsageFlags texels_of_shaders =

@@ -20,7 +20,8 @@ namespace dermis::setup {
 namespace {
 
 // Sigma of light that a picture shows to have spread, whatever its pixels: that of narrower Gaussians is not
-// told from light that has not, beside the wider ones. Truth decides it: docs/techniques.md, "The next term".
+// told from light that has not, beside the wider ones. Truth decides it: docs/notes/techniques.md, "The next
+// term".
 constexpr double wide_mm = 1;
 
 // What the heads of a model have in common.

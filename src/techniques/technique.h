@@ -225,7 +225,7 @@ struct FrameOutputs {
   std::vector<std::vector<passes::MapPlace>> map_places;
 };
 
-/// What a frame has computed, for its statistics. docs/measuring.md says what each figure means.
+/// What a frame has computed, for its statistics. docs/methodology.md says what each figure means.
 struct FrameReport {
   std::uint64_t skin_pixels = 0;
   std::vector<std::string> optimise;  ///< of cull, depth, clip

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Blocks of README.md between "<!-- file: PATH -->" and "<!-- end -->" are those files, letter by letter: code
-# that is only shown rots.
+# Code that is only shown rots. Blocks of README.md between "<!-- file: PATH -->" and "<!-- end -->" are those
+# files, letter by letter; blocks of docs/*.md after "<!-- from: PATH -->" stand in those files.
 set -euo pipefail
 source_folder=$1
 shown=0
@@ -21,4 +21,21 @@ if [ "$shown" -lt 2 ]; then
   echo "README.md shows $shown files between markers; the example and its CMakeLists.txt should be there"
   exit 1
 fi
-echo "README.md shows $shown files as they are"
+
+excerpts=0
+for document in "$source_folder"/docs/*.md; do
+  while read -r line path; do
+    block=$(tail -n "+$((line + 2))" "$document" | sed '/^```/,$d')
+    if [[ -z $block || $(cat "$source_folder/$path") != *"$block"* ]]; then
+      echo "$document:$line shows what does not stand in $path:"
+      printf '%s\n' "$block"
+      exit 1
+    fi
+    excerpts=$((excerpts + 1))
+  done < <(sed -n '/^<!-- from: .* -->$/{=;s/^<!-- from: \(.*\) -->$/\1/p}' "$document" | paste - -)
+done
+if [ "$excerpts" -lt 2 ]; then
+  echo "the documents show $excerpts excerpts; those of the tutorial of an engine should be there"
+  exit 1
+fi
+echo "README.md shows $shown files as they are, the documents $excerpts excerpts"

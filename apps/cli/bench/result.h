@@ -81,7 +81,7 @@ struct Run {
 /// Returns times, passes and settings of a variant, as `variants` of a cell has them.
 nlohmann::ordered_json variant_object(const Measured& measured);
 
-/// For programs. Keys that others rely on: see docs/measuring.md.
+/// For programs. Keys that others rely on: see docs/methodology.md.
 std::string run_json(const Run& run);
 
 /// What PSNR and FLIP of a cell compare, with the tone map of their display values.

@@ -21,7 +21,7 @@ layout(binding = 5, scalar) readonly buffer TileCounts { uint tile_counts[]; };
 
 // The light is a storage image, and coordinates are held inside in place of a branch: reading it through a
 // sampler, whose level may differ per invocation, takes twice as long on the software driver
-// (docs/measuring.md).
+// (docs/notes/performance.md).
 
 // p: texel of the square. Outside its used part there is nothing: that is left over from another T.
 ivec2 held_inside(ivec2 p) { return clamp(p, ivec2(0), ivec2(io.side) - 1) + ivec2(io.origin); }

@@ -36,7 +36,7 @@ bool has_mesh(const Model& model, std::uint32_t mesh) {
   return mesh >= model.first_mesh && mesh - model.first_mesh < model.meshes;
 }
 
-// The figures of a frame from its counters; docs/measuring.md says what each means.
+// The figures of a frame from its counters; docs/methodology.md says what each means.
 class Figures {
  public:
   Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,

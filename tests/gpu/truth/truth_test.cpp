@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Real time against ground truth: how much nearer the techniques come than no scattering at all, and that
-// they do not drift away. docs/truth.md has the same at full size.
+// they do not drift away. docs/accuracy.md has the same at full size.
 #include <gtest/gtest.h>
 
 #include <algorithm>
