@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "house/check.h"
+#include "house/documents.h"
 #include "house/measure.h"
 #include "support/written_table.h"
 
@@ -19,6 +20,11 @@ constexpr int longest_shader = 200;   // lines; a shader is one step
 constexpr int longest_function = 80;  // lines
 constexpr int most_columns = 110;     // as .clang-format has it
 constexpr int has_steps = 20;         // lines from which a function should show its steps as paragraphs
+constexpr int longest_sentence = 30;  // words; most have at most 25
+// Of README.md and docs/, without docs/notes; of docs/notes.
+constexpr std::size_t most_document_bytes = 170'000, most_note_bytes = 60'000;
+// Sentences of more words in ARCHITECTURE.md, CHANGELOG.md and below src/. It may fall.
+constexpr int long_sentences_elsewhere = 125;
 
 const std::vector<house::SourceFile>& tree() {
   static const auto files = house::read_tree(DERMIS_SOURCE_DIR);
@@ -59,6 +65,23 @@ TEST(House, EveryFileNamesItsLicence) { expect_none(house::check_licence(tree())
 TEST(House, NoPathOfAMachine) { expect_none(house::check_machine_paths(tree())); }
 
 TEST(House, DocumentsNameWhatIsThere) { expect_none(house::check_document_paths(tree())); }
+
+TEST(House, SentencesOfDocumentsAreShort) {
+  expect_none(house::check_sentences(tree(), longest_sentence));
+  EXPECT_LE(house::count_long_sentences_elsewhere(tree(), longest_sentence), long_sentences_elsewhere);
+}
+
+TEST(House, DocumentsNameNoCommit) { expect_none(house::check_commits(tree())); }
+
+TEST(House, LinksOfDocumentsLeadSomewhere) { expect_none(house::check_links(tree(), DERMIS_SOURCE_DIR)); }
+
+TEST(House, DocumentsAreShort) {
+  const house::DocumentBytes bytes = house::bytes_of_documents(tree());
+  std::printf("documents: %zu bytes, notes: %zu\n", bytes.documents, bytes.notes);
+  EXPECT_GT(bytes.documents, 0u);
+  EXPECT_LE(bytes.documents, most_document_bytes);
+  EXPECT_LE(bytes.notes, most_note_bytes);
+}
 
 TEST(House, TheLibraryNamesNoOption) { expect_none(house::check_option_names(tree())); }
 
