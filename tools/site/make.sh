@@ -12,8 +12,12 @@ rm -rf "$out/sources" "$out/site"
 mkdir -p "$out/sources"
 
 # The pages lie as in the tree, so that their links hold; what they link to beside pages comes along.
-git ls-files -co --exclude-standard -- '*.md' docs LICENSE include tools/packages.txt | while read -r file; do
-  [[ -f $file ]] || continue
+{
+  find . -name '*.md' -not -path './build/*' -not -path './out/*' -not -path './.*'
+  find docs include -type f
+  echo LICENSE
+  echo tools/packages.txt
+} | while read -r file; do
   mkdir -p "$out/sources/$(dirname "$file")"
   cp "$file" "$out/sources/$file"
 done
