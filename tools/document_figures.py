@@ -130,7 +130,7 @@ def speed_ups():
 def h100():
     gpu = record("nvidia-h100.json")
     rows = [
-        [c["heads"], c["distance"]]
+        [c["heads"], f"{c['distance']:g}"]
         + [f"{c[k]:.2f}" for k in ("baseline_ms", "all_ms", "compute_ms", "still_ms", "lambert_compute_ms")]
         for c in gpu["paper"]["cells"]
     ]
