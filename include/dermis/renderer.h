@@ -92,6 +92,10 @@ struct Statistics {
   RecordedWork recorded;              ///< of a frame, likewise
   std::uint64_t light_map_bytes = 0;  ///< of the light maps that heads of a batch share, of all sizes
 
+  /// Of a frame of a session: what was copied from the device to memory of the host, and from there to the
+  /// caller, bytes.
+  std::uint64_t read_back_bytes = 0, copied_bytes = 0;
+
   /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 
