@@ -46,7 +46,9 @@ void main() {
   }
 
   const vec3 now_m = vertex_position(gl_VertexIndex);
-  const vec3 then_m = before.moved != 0u ? before_m[gl_VertexIndex] : now_m;
+  // Not by a uniform alone: shaders/switches.glsl says why. No vertex has a number below 0.
+  const bool moved = before.moved > (gl_VertexIndex < 0 ? 1u : 0u);
+  const vec3 then_m = moved ? before_m[gl_VertexIndex] : now_m;
   out_clip = clip_at(frame.camera.clip_from_world, INSTANCE, placements[gl_InstanceIndex], now_m);
   out_clip_before =
       clip_at(before.clip_from_world, before.instance, before_placements[gl_InstanceIndex], then_m);

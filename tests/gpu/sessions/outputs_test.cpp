@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <thread>
@@ -186,6 +187,23 @@ TEST(Outputs, OutliveTheSessionAndItsRenderer) {
   other.reset();
   EXPECT_TRUE(std::ranges::equal(results.depth_m, copy));
   std::thread([last = std::move(results)]() mutable { last = {}; }).join();
+}
+
+// A driver that compiles a shader for each draw keeps it: then each frame takes a megabyte.
+TEST(Outputs, TakeNoMemoryPerFrame) {
+  const auto resident_bytes = [] {
+    std::ifstream file("/proc/self/statm");
+    std::uint64_t size = 0, resident = 0;
+    file >> size >> resident;
+    return 4096 * resident;
+  };
+  MovingBall ball({.wanted = Outputs::all()});
+  const auto draw = [&](int frames) {
+    for (int i = 0; i < frames; ++i) ball.session.results(ball.draw(1e-4 * i));
+    return resident_bytes();
+  };
+  const std::uint64_t before = draw(20);
+  EXPECT_LT(draw(100), before + (4u << 20));
 }
 
 TEST(Outputs, AreTheMemoryItself) {
