@@ -9,6 +9,8 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
+#include <chrono>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -33,10 +35,30 @@ struct Engine {
   std::shared_ptr<Renderer> renderer;
 };
 
+/// What a session has drawn last. A frame of the same settings, assets and surroundings makes nothing anew.
+struct Drawn {
+  const RenderSettings* settings = nullptr;
+  std::vector<Asset> assets;
+  std::uint64_t environment_changes = 0;
+
+  Drawn() = default;
+  Drawn(const Scene& scene, const RenderSettings& of)
+      : settings(&of), environment_changes(scene.environment_changes()) {
+    for (const InstanceId id : scene.instances()) assets.push_back(scene.instance(id).asset);
+  }
+  bool operator==(const Drawn&) const = default;
+};
+
 struct DrawingSession {
   Engine engine;
   std::shared_ptr<Session> session;
+  Drawn last;
+  // Of the last frame: draw() and results(), each.
+  std::chrono::steady_clock::duration took = std::chrono::hours(1);
 };
+
+// Below this a frame is drawn in the calling thread: Ctrl-C waits no longer.
+constexpr std::chrono::milliseconds short_time{100};
 
 nb::object array_of(const std::shared_ptr<Results>& results, Output output) {
   const OutputRow& row = output_rows()[static_cast<std::size_t>(output)];
@@ -91,15 +113,32 @@ std::shared_ptr<DrawingSession> make_session(const Engine& engine, const std::ve
   return session;
 }
 
-std::uint64_t draw(const DrawingSession& s, const Scene& scene, const RenderSettings& settings) {
-  return run(s.engine.desk, [session = s.session, scene, settings] {
-    return static_cast<std::uint64_t>(session->draw(scene, settings));
-  });
+std::uint64_t draw(DrawingSession& s, const Scene& scene, const RenderSettings& settings) {
+  const auto start = std::chrono::steady_clock::now();
+  Drawn now(scene, settings);
+  std::uint64_t ticket = 0;
+  if (s.took < short_time && now == s.last)
+    run_here(s.engine.desk, [&] { ticket = static_cast<std::uint64_t>(s.session->draw(scene, settings)); });
+  else
+    ticket = run(s.engine.desk, [session = s.session, scene, settings] {
+      return static_cast<std::uint64_t>(session->draw(scene, settings));
+    });
+  s.last = std::move(now);
+  s.took = std::chrono::steady_clock::now() - start;
+  return ticket;
 }
 
-std::shared_ptr<Results> results(const DrawingSession& s, std::uint64_t ticket) {
-  return run(s.engine.desk,
-             [session = s.session, ticket] { return make_owned<Results>(session->results(Ticket{ticket})); });
+std::shared_ptr<Results> results(DrawingSession& s, std::uint64_t ticket) {
+  const auto start = std::chrono::steady_clock::now();
+  std::shared_ptr<Results> found;
+  if (s.took < short_time)
+    run_here(s.engine.desk, [&] { found = make_owned<Results>(s.session->results(Ticket{ticket})); });
+  else
+    found = run(s.engine.desk, [session = s.session, ticket] {
+      return make_owned<Results>(session->results(Ticket{ticket}));
+    });
+  s.took = std::max(s.took, std::chrono::steady_clock::now() - start);
+  return found;
 }
 
 std::string statistics(const DrawingSession& s, std::uint64_t ticket) {

@@ -128,6 +128,11 @@ void leave(Desk& desk) {
   desk.freed.notify_all();
 }
 
+struct Leaving {
+  Desk& desk;
+  ~Leaving() { leave(desk); }
+};
+
 }  // namespace
 
 void run_at(const std::shared_ptr<Desk>& desk, std::function<void()> work) {
@@ -135,10 +140,7 @@ void run_at(const std::shared_ptr<Desk>& desk, std::function<void()> work) {
   take(*desk);
   const auto task = std::make_shared<Task>();
   task->work = [desk, work = std::move(work)]() mutable {
-    struct Leaving {
-      Desk& desk;
-      ~Leaving() { leave(desk); }
-    } const leaving{*desk};
+    const Leaving leaving{*desk};
     const std::function<void()> mine = std::move(work);  // gone before the desk is free
     mine();
   };
@@ -162,6 +164,14 @@ void run_at(const std::shared_ptr<Desk>& desk, std::function<void()> work) {
     }
   }
   if (task->thrown) std::rethrow_exception(task->thrown);
+}
+
+void run_here(const std::shared_ptr<Desk>& desk, const std::function<void()>& work) {
+  check_process();
+  take(*desk);
+  const Leaving leaving{*desk};
+  const nb::gil_scoped_release released;
+  work();
 }
 
 void end_threads() {
