@@ -200,3 +200,21 @@ def test_lines_go_to_the_logger(caplog: pytest.LogCaptureFixture) -> None:
     with caplog.at_level("WARNING", logger="dermis"):
         dermis.Asset.from_arrays([mesh], [dermis.Material(name="skin", skin=True)])
     assert any(record.name == "dermis" for record in caplog.records), "skin without coordinates"
+
+
+class Azimuths:
+    """Pictures of a data set, by index."""
+
+    def __len__(self) -> int:
+        return 4
+
+    def __getitem__(self, index: int) -> Any:
+        return dermis.render("built-in", **small, orbit=(10.0 * index, 0)).linear
+
+
+def test_a_data_loader_with_spawned_workers() -> None:
+    data: Any = pytest.importorskip("torch.utils.data", reason="torch is not installed")
+    loader = data.DataLoader(Azimuths(), batch_size=2, num_workers=2, multiprocessing_context="spawn")
+    batches = [batch.numpy() for batch in loader]
+    assert [batch.shape for batch in batches] == [(2, 48, 64, 4), (2, 48, 64, 4)]
+    assert np.array_equal(batches[1][1], Azimuths()[3])

@@ -5,7 +5,7 @@ set -euo pipefail
 source_folder=$1 build=$2
 
 status=0
-packages=(pytest mypy pyelftools pillow tqdm)
+packages=(pytest mypy pyelftools pillow tqdm OpenEXR)
 python=$("$source_folder/tools/python_module.sh" "$build" "$build/python" "${packages[@]}") || status=$?
 [[ $status == 0 ]] || exit "$status"
 export DERMIS_PROGRAM=$build/dermis
