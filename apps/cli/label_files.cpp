@@ -30,11 +30,11 @@ struct FileRow {
 };
 // Motion is since the frame before, and here is none.
 constexpr FileRow file_rows[] = {
-    {Output::instance, {"id"}, 1},   {Output::material, {"id"}, 1},
-    {Output::depth, {"Z"}, 1e-4},    {Output::normal, {"X", "Y", "Z"}, 1.0 / 32767, 1 + 1.0 / 32767},
-    {Output::uv, {"U", "V"}},        {Output::region, {"id"}, 1},
-    {Output::skin_mesh, {"id"}, 1},  {Output::unwrap, {"U", "V"}},
-    {Output::thickness, {"Y"}, 1e-3}};
+    {Output::instance, {"id"}, 1},    {Output::material, {"id"}, 1},
+    {Output::depth, {"Z"}, 1e-4},     {Output::normal, {"X", "Y", "Z"}, 1.0 / 32767, 1 + 1.0 / 32767},
+    {Output::uv, {"U", "V"}},         {Output::region, {"id"}, 1},
+    {Output::skin_mesh, {"id"}, 1},   {Output::unwrap, {"U", "V"}},
+    {Output::thickness, {"Y"}, 1e-3}, {Output::matte, {"A"}, 1.0 / 65535}};
 
 const OutputRow& row_of(Output output) { return output_rows()[static_cast<std::size_t>(output)]; }
 

@@ -108,7 +108,7 @@ void add_render_command(CLI::App& app, int& exit_status) {
   command
       ->add_option("--labels", arguments->labels,
                    "what each pixel shows, beside the picture, with a .json: a list of instance, material, "
-                   "depth, normal, uv, region, skin_mesh, unwrap, thickness, or all; layers of an "
+                   "depth, normal, uv, region, skin_mesh, unwrap, thickness, matte, or all; layers of an "
                    ".exr, or a 16-bit PNG each")
       ->type_name("NAME,...");
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output")

@@ -28,7 +28,8 @@ enum class Output : std::uint8_t {
   region,
   skin_mesh,
   unwrap,
-  thickness
+  thickness,
+  matte
 };
 
 /// A set of outputs: {Output::display, Output::depth}.
@@ -39,11 +40,13 @@ class Outputs {
     for (const Output output : outputs) bits_ |= bit(output);
   }
   static constexpr Outputs picture() { return {Output::display, Output::linear}; }
+  /// What takes light: all but the labels.
+  static constexpr Outputs lit() { return {Output::display, Output::linear, Output::matte}; }
   static constexpr Outputs labels() {
     return {Output::instance, Output::material, Output::depth,     Output::normal, Output::uv,
             Output::motion,   Output::region,   Output::skin_mesh, Output::unwrap, Output::thickness};
   }
-  static constexpr Outputs all() { return picture() | labels(); }
+  static constexpr Outputs all() { return lit() | labels(); }
 
   constexpr bool has(Output output) const { return (bits_ & bit(output)) != 0; }
   constexpr bool has_all(Outputs others) const { return (bits_ & others.bits_) == others.bits_; }
@@ -127,6 +130,11 @@ struct Results {
   /// rays into a cone around the inward normal, in the rest pose, times the scale of the instance. What is
   /// thicker than 50 mm times that scale, or does not close, has that. 0 where no skin is.
   std::span<float> thickness_mm;
+
+  /// How much of the pixel heads cover, 0 to 1, as the picture samples it; blended parts (lashes, brows) by
+  /// their alpha. The picture over light of radiance L behind the heads is linear + (1 - matte) * L. No
+  /// label: it takes a lit frame.
+  std::span<float> matte;
 
   /// Returns one of the above as bytes.
   std::span<std::byte> bytes(Output output) const;

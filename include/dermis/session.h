@@ -43,9 +43,9 @@ class Session {
     int frames_in_flight = 2;
     bool statistics = false;  ///< counts what each frame computes: Statistics of its picture; costs time
     /// What results() give, at least one. Labels take one more pass, which is one more time all visible
-    /// triangles; without display and linear nothing is lit. Nose, ears and thickness of an asset are found
-    /// when region or thickness is first wanted of it: a second for 20,000 triangles; the thickness is kept
-    /// in the cache.
+    /// triangles; without display, linear and matte nothing is lit. Nose, ears and thickness of an asset are
+    /// found when region or thickness is first wanted of it: a second for 20,000 triangles; the thickness is
+    /// kept in the cache.
     Outputs wanted = Outputs::picture();
   };
 

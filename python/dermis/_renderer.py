@@ -158,6 +158,12 @@ class Frame:
         return self.array("thickness")
 
     @property
+    def matte(self) -> NDArray[np.float32]:
+        """float32 (H, W): the share of the pixel that heads cover, 0 to 1, blended parts by their alpha;
+        before light L stands `linear + (1 - matte) * L`. Takes a lit frame."""
+        return self.array("matte")
+
+    @property
     def statistics(self) -> dict[str, Any]:
         """As Picture.statistics; what is counted is 0 unless the session was asked for statistics."""
         statistics: dict[str, Any] = json.loads(self._session.statistics(self._ticket))

@@ -13,7 +13,18 @@ from conftest import small
 import dermis
 
 options = ["--size", "64x48", "--map-size", "256", "--shadow-size", "256", "--exposure", "0"]
-names: Any = ("instance", "material", "depth", "normal", "uv", "region", "skin_mesh", "unwrap", "thickness")
+names: Any = (
+    "instance",
+    "material",
+    "depth",
+    "normal",
+    "uv",
+    "region",
+    "skin_mesh",
+    "unwrap",
+    "thickness",
+    "matte",
+)
 
 
 def render(program: Path, *arguments: Any) -> subprocess.CompletedProcess[str]:

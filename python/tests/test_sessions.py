@@ -42,6 +42,7 @@ def test_give_what_is_wanted_and_nothing_else(scene: dermis.Scene, renderer: der
         "skin_mesh": (np.uint32, 1),
         "unwrap": (np.float32, 2),
         "thickness": (np.float32, 1),
+        "matte": (np.float32, 1),
     }
     frame = renderer.session(types).draw(scene, **plain)
     for name, (dtype, channels) in types.items():

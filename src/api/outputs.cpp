@@ -26,12 +26,13 @@ constexpr std::array rows{
     OutputRow{Output::skin_mesh, "skin_mesh", Type::uint32, 1, "", "1 + number of the skin mesh; 0: no skin"},
     OutputRow{Output::unwrap, "unwrap", Type::float32, 2, "", "coordinates of the light map, v down"},
     OutputRow{Output::thickness, "thickness", Type::float32, 1, "mm",
-              "of the body below the skin; 0: no skin"}};
+              "of the body below the skin; 0: no skin"},
+    OutputRow{Output::matte, "matte", Type::float32, 1, "", "share of the pixel that heads cover, 0 to 1"}};
 
 constexpr bool are_in_order() {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i].output != static_cast<Output>(i)) return false;
-  return rows.size() == static_cast<std::size_t>(Output::thickness) + 1;
+  return rows.size() == static_cast<std::size_t>(Output::matte) + 1;
 }
 static_assert(are_in_order());
 static_assert(Results::nose == LABEL_REGION_NOSE && Results::ear == LABEL_REGION_EAR &&
@@ -40,7 +41,8 @@ static_assert(Results::nose == LABEL_REGION_NOSE && Results::ear == LABEL_REGION
 std::uint32_t label_bit(Output output) {
   switch (output) {
     case Output::display:
-    case Output::linear: break;
+    case Output::linear:
+    case Output::matte: break;
     case Output::instance: return LABEL_INSTANCE;
     case Output::material: return LABEL_MATERIAL;
     case Output::depth: return LABEL_DEPTH;
@@ -78,6 +80,7 @@ std::span<std::byte> Results::bytes(Output output) const {
     case Output::skin_mesh: return std::as_writable_bytes(skin_mesh);
     case Output::unwrap: return std::as_writable_bytes(unwrap);
     case Output::thickness: return std::as_writable_bytes(thickness_mm);
+    case Output::matte: return std::as_writable_bytes(matte);
   }
   return {};
 }
@@ -94,6 +97,7 @@ std::uint32_t label_bits(Outputs wanted) {
 ReadbackSizes readback_sizes(Outputs wanted, std::uint64_t pixels) {
   return {.display = wanted.has(Output::display) ? 4 * pixels : 0,
           .linear = wanted.has(Output::linear) ? 16 * pixels : 0,
+          .matte = wanted.has(Output::matte) ? 4 * pixels : 0,
           .labels = passes::bytes_of_planes(label_bits(wanted), pixels)};
 }
 
@@ -124,6 +128,7 @@ Results results_of(Outputs wanted, int width, int height, const std::shared_ptr<
           .skin_mesh = span_of<std::uint32_t>(plane(Output::skin_mesh)),
           .unwrap = span_of<float>(plane(Output::unwrap)),
           .thickness_mm = span_of<float>(plane(Output::thickness)),
+          .matte = span_of<float>(whole(readback->matte)),
           .lease = readback};
 }
 

@@ -102,6 +102,7 @@ setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings&
   setup.plan.picture = options_.picture;
   setup.plan.display = options_.display;
   setup.plan.linear = options_.linear;
+  setup.plan.matte = options_.matte;
   setup.plan.labels = options_.labels;
   if (!options_.picture) setup.technique = &techniques::labels_alone;
   return setup;

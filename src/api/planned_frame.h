@@ -35,7 +35,7 @@ class PlannedFrame {
     /// head may come nearer without an upload.
     bool all_views = false;
     /// Members of techniques::FrameSettings.
-    bool picture = true, display = true, linear = false;
+    bool picture = true, display = true, linear = false, matte = false;
     std::uint32_t labels = 0;
   };
 

@@ -17,6 +17,7 @@ std::unique_ptr<Readback> made(gpu::Device& device, const ReadbackSizes& sizes) 
   return std::make_unique<Readback>(Readback{.sizes = sizes,
                                              .display = buffer("display values to read", sizes.display),
                                              .linear = buffer("linear picture to read", sizes.linear),
+                                             .matte = buffer("matte to read", sizes.matte),
                                              .labels = buffer("labels to read", sizes.labels)});
 }
 

@@ -14,13 +14,13 @@ namespace dermis::api {
 
 /// Of one frame, bytes; 0: not wanted.
 struct ReadbackSizes {
-  std::uint64_t display = 0, linear = 0, labels = 0;
+  std::uint64_t display = 0, linear = 0, matte = 0, labels = 0;
   bool operator==(const ReadbackSizes&) const = default;
 };
 
 struct Readback {
   ReadbackSizes sizes;
-  gpu::Buffer display, linear, labels;  // of these sizes, or empty
+  gpu::Buffer display, linear, matte, labels;  // of these sizes, or empty
 };
 
 class Readbacks {

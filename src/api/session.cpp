@@ -53,9 +53,10 @@ struct Session::State {
   State(std::shared_ptr<Renderer::State> renderer, const Options& wanted)
       : options(wanted),
         frame(std::move(renderer), {.all_views = true,
-                                    .picture = wanted.wanted.has_any(Outputs::picture()),
+                                    .picture = wanted.wanted.has_any(Outputs::lit()),
                                     .display = wanted.wanted.has(Output::display),
                                     .linear = wanted.wanted.has(Output::linear),
+                                    .matte = wanted.wanted.has(Output::matte),
                                     .labels = api::label_bits(wanted.wanted)}) {
     for (int i = 0; i < options.frames_in_flight; ++i)
       slots.push_back(std::make_unique<Slot>(frame.device(), slots.size()));
@@ -138,6 +139,7 @@ void Session::State::record(VkCommandBuffer commands, Slot& slot, const passes::
     gpu::record_read_back(device, commands, resources.texture(outputs.display),
                           frame.executor().layout_of(outputs.display), to.display);
   if (to.linear) gpu::record_read_back(device, commands, resources.buffer(outputs.linear), to.linear);
+  if (to.matte) gpu::record_read_back(device, commands, resources.buffer(outputs.matte), to.matte);
   if (to.labels) gpu::record_read_back(device, commands, resources.buffer(outputs.labels), to.labels);
 
   const gpu::Buffer& counters = resources.buffer(outputs.counters);
@@ -178,7 +180,7 @@ Statistics Session::State::statistics(const Slot& slot) const {
   api::fill_device(statistics, device);
   statistics.exposure_ev = *slot.settings.output.exposure_ev;
   const api::ReadbackSizes& sizes = slot.readback->sizes;
-  statistics.read_back_bytes = sizes.display + sizes.linear + sizes.labels;
+  statistics.read_back_bytes = sizes.display + sizes.linear + sizes.matte + sizes.labels;
   if (options.statistics) statistics.read_back_bytes += slot.counter_bytes;
   return statistics;
 }

@@ -20,6 +20,7 @@
 #include "passes/labels/labels.h"
 #include "passes/light_floats/light_floats.h"
 #include "passes/move_rig/move_rig.h"
+#include "passes/open_share/matte.h"
 #include "passes/open_share/open_share.h"
 #include "passes/resolve/resolve.h"
 #include "passes/shadow/shadow.h"
@@ -305,7 +306,8 @@ void Screen::add_blended(const Batch& batch) {
                                     .blended = true};
   plan_->add<passes::Surface>(label("blended surfaces", settings_, batch), {shadow_, colour(), depth_},
                               blended);
-  if (settings_.behind.kind == passes::Behind::Kind::black || shaded()) return;
+  const bool black = settings_.behind.kind == passes::Behind::Kind::black;
+  if ((black && !settings_.matte) || shaded()) return;
 
   // Alpha of the picture marks skin: what is hidden needs a target of its own.
   blended.clear = !cover_.valid();
@@ -347,7 +349,12 @@ void Screen::add_display(FrameOutputs& out) {
   const passes::Behind& behind = settings_.behind;
   const bool is_colour = behind.kind == passes::Behind::Kind::colour;
   frame::TextureId open;
-  if (behind.is_light() || is_colour) open = add_open_share();
+  if (behind.is_light() || is_colour || settings_.matte) open = add_open_share();
+  if (settings_.matte)
+    out.matte =
+        plan_->add<passes::Matte>("matte", {open}, {.width = settings_.width, .height = settings_.height})
+            .floats;
+  if (!settings_.display && !settings_.linear) return;
 
   // Light shines into the lens; a colour of the display does not.
   if (behind.is_light())
@@ -390,7 +397,7 @@ void Screen::add_finished_picture(FrameOutputs& out) {
                      .floats;
   plan_->read_back(out.before_bloom);
   plan_->read_back(out.picture);
-  plan_->read_back(out.display);
+  if (out.display.valid()) plan_->read_back(out.display);
   plan_->read_back(shadow_);
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)
     out.shows[fmt::format("shadow:{}", layer)] = {.map = shadow_, .as = Shown::As::depth, .layer = layer};

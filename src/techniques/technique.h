@@ -142,6 +142,7 @@ struct FrameSettings {
   bool picture = true;              ///< skin is lit and shaded; else the frame has labels alone
   bool display = true;              ///< FrameOutputs::display is drawn
   bool linear = false;              ///< FrameOutputs::linear is written
+  bool matte = false;               ///< FrameOutputs::matte is written
   std::uint32_t labels = 0;         ///< LABEL_... bits of passes/labels: FrameOutputs::labels
 
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
@@ -217,7 +218,8 @@ struct FrameOutputs {
   frame::TextureId before_bloom;  ///< RGBA16F, as picture
   frame::TextureId display;       ///< RGBA8, after the tone map
   frame::BufferId linear;         ///< `picture` as 32-bit floats; not valid unless asked for
-  frame::BufferId labels;         ///< of passes/label_planes; likewise
+  frame::BufferId matte;          ///< of passes/open_share; likewise
+  frame::BufferId labels;         ///< of passes/labels; likewise
   frame::BufferId counters;       ///< uint[]; Technique::report says what they mean
   /// With FrameSettings::host, in place of the pictures. Targets of the host; the light that it reads,
   /// RGBA16F, a layer per batch, see passes::ScatterSum.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A session gives what is wanted of it, and draws, reads back and copies nothing else.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,7 +71,7 @@ TEST(Outputs, AreNamedByTheirRows) {
     EXPECT_EQ(&row - output_rows().data(), static_cast<int>(row.output));
     EXPECT_TRUE(Outputs::all().has(row.output));
   }
-  EXPECT_EQ(names.size(), 12u);
+  EXPECT_EQ(names.size(), 13u);
 }
 
 TEST(Outputs, OnlyWhatIsWantedIsReadBack) {
@@ -144,6 +145,42 @@ TEST(Outputs, OfTheRendererAreEqualToTheBit) {
   const Picture copy = film.session.picture(film.ticket);
   expect_equal_bits(picture, copy);
   EXPECT_EQ(copy.statistics.copied_bytes, std::uint64_t{20} * width * height);
+}
+
+// Whatever shades the skin, and whatever stands behind: light behind the heads comes through where they are
+// open. Of skin alone the matte is the share of skin.
+TEST(Outputs, TheMatteLetsLightThrough) {
+  for (const char* technique : {"lambert", "published"})
+    for (const bool head : {false, true}) {
+      SCOPED_TRACE(fmt::format("{}, {}", technique, head ? "a head" : "a ball"));
+      const Scene scene = head ? Scene::built_in() : sphere(0.06);
+      RenderSettings s = small_settings(technique, 48, 64);
+      s.output.exposure_ev = 0;
+      s.output.bloom = 0;
+      s.output.tone_map = ToneMap::linear;
+      Session session(renderer(), {.wanted = {Output::linear, Output::matte}});
+      Session alone(renderer(), {.wanted = {Output::matte}});
+      const Results black = session.results(session.draw(scene, s));
+      EXPECT_TRUE(std::ranges::equal(black.matte, alone.results(alone.draw(scene, s)).matte));
+      s.output.background = "#ffffff";
+      const Results white = session.results(session.draw(scene, s));
+      EXPECT_TRUE(std::ranges::equal(black.matte, white.matte));
+
+      std::size_t partly = 0, blended = 0;
+      for (std::size_t i = 0; i < black.matte.size(); ++i) {
+        const float matte = black.matte[i], skin = black.linear[4 * i + 3];
+        EXPECT_GE(matte, skin - 1e-3f) << i;
+        EXPECT_LE(matte, 1) << i;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const float through = white.linear[4 * i + c] - black.linear[4 * i + c];
+          EXPECT_NEAR(through, 1 - matte, 1e-3 * (1 + white.linear[4 * i + c])) << i;
+        }
+        partly += matte > 0 && matte < 1;
+        blended += std::abs(matte - skin) > 0.01f;
+      }
+      EXPECT_GT(partly, 20u);
+      EXPECT_EQ(blended > 0, head);
+    }
 }
 
 TEST(Outputs, OfNoneAreRefused) {
