@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/help.h"
 #include "cli/label_files.h"
 #include "cli/output.h"
 #include "cli/picture_hints.h"
@@ -105,12 +106,13 @@ void add_render_command(CLI::App& app, int& exit_status) {
                    "picture to write: .png (display values) or .exr (linear)")
       ->type_name("FILE")
       ->required();
-  command
-      ->add_option("--labels", arguments->labels,
-                   "what each pixel shows, beside the picture, with a .json: a list of instance, material, "
-                   "depth, normal, uv, region, skin_mesh, unwrap, thickness, matte, or all; layers of an "
-                   ".exr, or a 16-bit PNG each")
-      ->type_name("NAME,...");
+  rare(command
+           ->add_option(
+               "--labels", arguments->labels,
+               "what each pixel shows, beside the picture, with a .json: a list of instance, material, "
+               "depth, normal, uv, region, skin_mesh, unwrap, thickness, matte, or all; layers of an "
+               ".exr, or a 16-bit PNG each")
+           ->type_name("NAME,..."));
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output")
       ->type_name("FILE");
   add_device_arguments(*command, arguments->on);
