@@ -66,7 +66,7 @@ def test_pngs_are_those_of_a_session(program: Path, scene: dermis.Scene, tmp_pat
     for name in ("depth", "region", "material", "thickness"):
         label = sheet["labels"][name]
         values = np.asarray(image.open(tmp_path / label["file"])).astype(np.float64)
-        wanted = frame.array(name).astype(np.float64)  # type: ignore[arg-type]
+        wanted = frame.array(name).astype(np.float64)
         assert (values[~there] == 0).all()
         off = np.abs(values * label["step"] + label["offset"] - wanted)[there]
         assert off.max() <= label["step"] / 2 + 1e-9, name
