@@ -223,7 +223,7 @@ views_of() {
 
 # peers_row NAME SIZE ARGUMENTS...: truth and techniques, below maps of FLIP; out/pictures/NAME.png
 peers_row() {
-  compare $1 "${@:3}" --techniques all --model gaussians --shading compute --size $2 --samples 128
+  compare $1 "${@:3}" --techniques all --model gaussians --size $2 --samples 128
   local id row=() errors=()
   for id in 0 3 4 5 6 2; do
     from_page $1 technique-$id

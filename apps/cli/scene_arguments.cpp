@@ -334,6 +334,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
     });
   former_option(command, "--view", "is now --tone-map");
   former_option(command, "--blur-resolution", "is gone: techniques in screen space blur the picture itself");
+  former_option(command, "--shading", "is gone: skin is always shaded in compute");
   former_option(command, "--irradiance", "is gone: the texels of light maps are always lit in compute");
   for (const char* gone : {"--maps", "--blur"})
     former_option(command, gone, "is gone: texture-space blurs narrow to wide, on one size of maps");

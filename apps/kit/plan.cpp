@@ -126,7 +126,7 @@ const std::vector<Invariant>& all_invariants() {
       {"sessions are steady and draw the same", "Sessions.*:ScanSessions.*", false},
       {"labels", "Labels.*:ScanLabels.*:Outputs.*", false},
       {"what stands behind the heads", "*/Background.*:Backgrounds.*", false},
-      {"shading in compute is that of the raster", "*/InCompute.*:InCompute*.*", false},
+      {"skin is shaded as its ids say", "*/Shading.*:Shading*.*", false},
       {"texels lit in compute are those that are drawn", "Texels.*:*TexelPictures*.*", false},
       {"techniques in screen space", "Separable.*:BurleyDisc.*:ScreenSpace.*", true},
       {"without width all techniques make one picture", "*/ZeroWidth.*", false},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What heads cost in the frames of a host: skin shaded where it is drawn, and in compute, in turns.
+// What heads cost in the frames of a host.
 //   hosts_bench OUT.json HEAD [ROUNDS [TECHNIQUE...]]
 // One head at 2.5, 10 and 50 radii, the row of 16 at 50; targets of 960 x 600 with one and with four samples;
 // light maps and shadow maps of 1024. Three rounds of lambert and texture-space unless told. The head turns,
@@ -113,31 +113,22 @@ class Shown {
   std::uint64_t number_ = 0;
 };
 
-Json in_turns(const host::Device& device, const Asset& head, const Case& shown, RenderSettings settings,
-              int rounds) {
+Json cost_of(const host::Device& device, const Asset& head, const Case& shown, const RenderSettings& settings,
+             int rounds) {
   const Renderer renderer(device.host());
-  settings.quality.shading = Shading::raster;
-  Shown raster(device, renderer, head, shown, settings);
-  settings.quality.shading = Shading::compute;
-  Shown compute(device, renderer, head, shown, settings);
+  Shown frames(device, renderer, head, shown, settings);
+  for (int frame = 0; frame < 3; ++frame) frames.draw();  // makes maps and pipelines
 
-  std::vector<double> raster_ms, compute_ms;
-  for (int round = -1; round < rounds; ++round)  // the first makes maps and pipelines
-    for (int frame = 0; frame < 3; ++frame) {
-      const double a = raster.draw(), b = compute.draw();
-      if (round < 0) continue;
-      raster_ms.push_back(a);
-      compute_ms.push_back(b);
-    }
-  const double a = median(raster_ms), b = median(compute_ms);
-  fmt::print("{:>16}, {} samples, {:>2} heads at {:>4} radii: raster {:7.1f}, compute {:7.1f} ms, {:.2f}\n",
-             settings.technique, settings.quality.samples, shown.heads, shown.distance, a, b, b / a);
+  std::vector<double> all_ms;
+  for (int frame = 0; frame < 3 * rounds; ++frame) all_ms.push_back(frames.draw());
+  const double ms = median(all_ms);
+  fmt::print("{:>16}, {} samples, {:>2} heads at {:>4} radii: {:7.1f} ms\n", settings.technique,
+             settings.quality.samples, shown.heads, shown.distance, ms);
   return {{"technique", settings.technique},
           {"samples", settings.quality.samples},
           {"heads", shown.heads},
           {"distance", shown.distance},
-          {"raster_ms", a},
-          {"compute_ms", b}};
+          {"ms", ms}};
 }
 
 void measure(const std::string& path, const Asset& head, int rounds,
@@ -151,7 +142,7 @@ void measure(const std::string& path, const Asset& head, int rounds,
         settings.quality.map_size = settings.quality.shadow_size = 1024;
         settings.quality.samples = samples;
         settings.output.exposure_ev = 0;
-        runs.push_back(in_turns(device, head, shown, settings, rounds));
+        runs.push_back(cost_of(device, head, shown, settings, rounds));
       }
   std::ofstream(path) << Json{{"device", device.name()}, {"runs", runs}}.dump(2) << '\n';
 }

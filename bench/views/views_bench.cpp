@@ -5,7 +5,7 @@
 // For each scene 64 views: 16 azimuths, elevations -30, 0, 30 and 60 degrees; PSNR and FLIP over the skin
 // (super-sampled 4 x 4, exposed fairly), and texels that were read and never lit. With --dolly, of the first
 // scene: 200 steps from 2.5 to 100 radii at 480 x 300, how much the picture changes from step to step with
-// and without the optimisations. The other picture is drawn without shading in compute, too.
+// and without the optimisations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,6 @@ constexpr int super = 4;  // samples per pixel, along each axis
 
 RenderSettings without(RenderSettings s) {
   s.quality.cull = s.quality.depth = s.quality.clip = false;
-  s.quality.shading = Shading::raster;
   return s;
 }
 

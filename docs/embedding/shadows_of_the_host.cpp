@@ -247,7 +247,7 @@ class Program {
   // Depth targets: 0 is the shadow map, near 0; 1 the pre-pass, near 1 as the picture.
   dv::HostFrames frames_{renderer_,
                          {.frames_in_flight = kInFlight,
-                          .picture = dv::PictureTargets{.colour_format = kColourFormat},
+                          .picture = dv::PictureTargets{.colour_format = kColourFormat, .largest = kExtent},
                           .depths = {{.format = kDepthFormat, .reversed_depth = false},
                                      {.format = kDepthFormat, .reversed_depth = true}}}};
   host::Frames queue_{device_, kInFlight};

@@ -89,7 +89,7 @@ struct Statistics {
   /// Layers of shadow maps that were drawn, those of light that enters included; the others still showed what
   /// they had to: see QualitySettings::keep_shadows. Of a PreparedFrame: by the first frame.
   std::uint64_t shadow_maps_drawn = 0;
-  RecordedWork recorded;              ///< of a frame, likewise
+  RecordedWork recorded;              ///< of the last frame, that of `passes` if it was timed
   std::uint64_t light_map_bytes = 0;  ///< of the light maps that heads of a batch share, of all sizes
 
   /// Of a frame of a session: what was copied from the device to memory of the host, and from there to the

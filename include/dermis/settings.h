@@ -88,12 +88,6 @@ enum class BlurMask : std::uint8_t {
   depth   ///< drawn, and the depth test rejects it
 };
 
-/// Where skin is shaded.
-enum class Shading : std::uint8_t {
-  raster,  ///< where its triangles are drawn, per pixel and triangle
-  compute  ///< after all are drawn as ids: once per pixel and surface that it shows
-};
-
 /// What techniques in screen space blur by.
 enum class ScreenKernel : std::uint8_t {
   profile,    ///< the profile of the skin, in mm
@@ -111,7 +105,7 @@ struct QualitySettings {
   int shadow_size = 2048;  ///< texels
   int samples = 4;         ///< anti-aliasing, 1 or 4 per pixel
   /// Points, 1 or 2, at which skin is lit and shaded in a pixel that one surface covers: light has edges and
-  /// glints finer than a pixel, which anti-aliasing of surfaces does not see. Of skin shaded in compute.
+  /// glints finer than a pixel, which anti-aliasing of surfaces does not see.
   int light_samples = 2;
 
   bool cull = true;                         ///< leave out skin that faces away from the eye
@@ -123,10 +117,7 @@ struct QualitySettings {
   /// as many as heads are lit together.
   bool keep_shadows = true;
 
-  std::optional<BlurMask> mask{};  ///< of technique `published`; none: depth
-  /// none: fastest on the kind of device. The targets of a host are always drawn into, and so is what ids
-  /// cannot tell apart (docs/techniques.md).
-  std::optional<Shading> shading{};
+  std::optional<BlurMask> mask{};               ///< of technique `published`; none: depth
   ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
   std::optional<int> taps{};  ///< of their kernels, see docs/techniques.md; none: as many as usual
   /// distance, in sphere radii, at which a texel of a map of map_size is as large as a pixel; none: as it is.

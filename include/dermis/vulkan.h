@@ -89,7 +89,7 @@ struct Host {
   std::mutex* queue_mutex = nullptr;
   VkPipelineCache pipeline_cache = VK_NULL_HANDLE;  ///< null: dermis keeps one in its cache folder
   MemoryCallbacks memory{};                         ///< empty: dermis allocates blocks of its own
-  /// Returns SPIR-V in place of the shader of that name ("final_pass.frag"); empty: dermis's own. The words
+  /// Returns SPIR-V in place of the shader of that name ("shade.comp"); empty: dermis's own. The words
   /// outlive the renderer. Bindings, push constants and specialisation constants must be those of dermis's
   /// shader: InputError.
   std::function<std::span<const std::uint32_t>(std::string_view name)> find_shader{};
@@ -104,11 +104,10 @@ struct PictureTargets {
   /// Near is 1: depth passes if it is greater or equal; else near is 0, and less or equal passes. The
   /// cameras of the views must have the same: InputError.
   bool reversed_depth = true;
-  /// Of the largest images that views will have, pixels. With it, quality.shading may be compute: the skin of
-  /// a pixel is shaded once for all its samples, in memory of dermis's own (24 bytes per pixel, with four
+  /// Of the largest images that views will have, pixels; needed, because record() may not allocate. The skin
+  /// of a pixel is shaded once for all its samples, in memory of dermis's own (24 bytes per pixel, with four
   /// samples 84), and then written into these targets, at the depth of its triangles. Skin that the host has
-  /// hidden is shaded, too. 0 x 0: skin is shaded where it is drawn, so it is above 8,384,512 pixels; and
-  /// techniques that blur light in the picture (those of docs/techniques.md in screen space) are refused.
+  /// hidden is shaded, too.
   VkExtent2D largest{};
 };
 

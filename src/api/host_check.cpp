@@ -59,9 +59,10 @@ void check_host_options(const vulkan::HostFrames::Options& options, const gpu::D
                        options.picture->samples);
     const auto& [width, height] = options.picture->largest;
     const std::uint32_t most = device.limits().max_image_side;
-    if ((width == 0) != (height == 0) || width > most || height > most)
-      throw input_error("", "picture.largest must be 1 to {} pixels each, or 0 x 0, got {} x {}", most, width,
-                        height);
+    if (width < 1 || height < 1 || width > most || height > most)
+      throw input_error(
+          "", "picture.largest, of the largest images of views, must be 1 to {} pixels each, got {} x {}",
+          most, width, height);
   }
   for (const vulkan::DepthTargets& depth : options.depths) {
     check_samples("depths.samples", depth.samples);
@@ -105,7 +106,7 @@ VkRect2D checked_area(const char* what, const VkExtent2D& extent, const VkRect2D
 
 void check_room(const VkExtent2D& extent, const vulkan::PictureTargets& targets) {
   const auto& [width, height] = targets.largest;
-  if (width > 0 && (extent.width > width || extent.height > height))
+  if (extent.width > width || extent.height > height)
     throw input_error("", "view.extent must be at most picture.largest, {} x {} pixels, got {} x {}", width,
                       height, extent.width, extent.height);
 }

@@ -126,6 +126,7 @@ double PreparedFrame::draw() {
     state_->count();
     if (state_->frame.renderer().options.poison) state_->frame.executor().poison();
     state_->times.push_back(state_->frame.executor().run(state_->data));
+    state_->recorded.work = state_->frame.executor().recorded();
     return state_->times.back().total_ms;
   });
 }

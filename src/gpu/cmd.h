@@ -33,6 +33,9 @@ struct BufferBinding {
 };
 using Binding = std::variant<SampledBinding, StorageImageBinding, BufferBinding>;
 
+/// Invocations in x that every device takes in one dispatch, in workgroups of 64.
+inline constexpr std::uint32_t most_in_row = 65535 * 64;
+
 /// Required layouts of targets (and of what they resolve to) when rendering begins.
 inline constexpr VkImageLayout colour_target_layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 inline constexpr VkImageLayout depth_target_layout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;

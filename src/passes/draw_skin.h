@@ -26,8 +26,8 @@ inline void offer_skin(Bindings& bindings, const Instance& instance, std::size_t
 
 /// Draws the parts of an instance's skin mesh `number`, as its asset counts them, for which
 /// pipeline_of(draw, material) is not null. The shaders get `bindings`, those of instance, mesh and material,
-/// and io_of(material) as push constants. `indices`: as many as the mesh has, at the same places; null: those
-/// of the mesh.
+/// and io_of(draw, material) as push constants. `indices`: as many as the mesh has, at the same places; null:
+/// those of the mesh.
 template <class PipelineOf, class IoOf = std::nullptr_t>
 void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, const Bindings& bindings,
                const PipelineOf& pipeline_of, const IoOf& io_of = nullptr, gpu::BufferBinding indices = {}) {
@@ -41,7 +41,7 @@ void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, cons
     Bindings all = bindings;
     offer_skin(all, instance, number, material);
     all.bind(cmd, *pipeline);
-    if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(material));
+    if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(draw, material));
     cmd.draw_indexed(indices, draw.index_count, draw.first_index);
   }
 }

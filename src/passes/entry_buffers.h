@@ -2,6 +2,8 @@
 /// What of the skin a picture shows, before it is shaded: passes/entries fills them, what shades reads them.
 #pragma once
 
+#include <vector>
+
 #include "passes/bindings.h"
 #include "passes/frame_data.h"
 #include "shared/entries_io.h"
@@ -12,17 +14,22 @@ namespace dermis::passes {
 struct EntryBuffers {
   frame::TextureId samples;  ///< R32_UINT: of the entries of each pixel, and the part of the first
   frame::TextureId entries;  ///< RG32_UINT, a layer per entry of a pixel: shaded_entry.glsl
-  frame::BufferId parts;     ///< PartIo[]
-  frame::BufferId list;      ///< PartRangeIo[], one per part, and then a word per entry
-  std::uint32_t part_count = 0;
+  frame::BufferId parts;     ///< PartIo[], those of one band after the other
+  /// of each band of rows: PartRangeIo[], one per part, and then a word per entry
+  std::vector<frame::BufferId> lists;
+  std::uint32_t part_count = 0;         ///< of the frame, at most MOST_PARTS
   std::uint32_t width = 0, height = 0;  ///< of the picture, pixels
+  std::uint32_t band_rows = 0;          ///< pixels; the last band may have fewer
 
-  /// For passes that shade the entries of a part: listed_entry.glsl.
+  std::uint32_t bands() const { return static_cast<std::uint32_t>(lists.size()); }
+  std::uint32_t first_row(std::uint32_t band) const { return band * band_rows; }
+
+  /// For passes that shade the entries of a part in a band: listed_entry.glsl.
   void declare_shading(frame::Declare& d) const;
-  void offer_shaded(Bindings& bindings, const frame::Resources& resources) const;
+  void offer_shaded(Bindings& bindings, const frame::Resources& resources, std::uint32_t band) const;
 };
 
-/// Makes the buffers for a picture of at most MOST_SHADED_PIXELS.
+/// Makes the buffers for a picture.
 EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu::TextureDesc& picture);
 
 }  // namespace dermis::passes

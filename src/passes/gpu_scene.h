@@ -22,6 +22,7 @@
 #include "scene/gutters.h"
 #include "scene/scene.h"
 #include "scene/unwrap.h"
+#include "shared/entries_io.h"
 #include "shared/scene_io.h"
 
 namespace dermis::passes {
@@ -74,6 +75,9 @@ struct GpuDraw {
   std::uint32_t first_index = 0, index_count = 0;
   int material = 0;
   bool on_map = true;  ///< for skin: the triangles have a chart of the unwrap
+
+  /// Returns how many parts its triangles are: shared/entries_io.h.
+  std::uint32_t parts() const { return (index_count / 3 + (1u << ID_TRIANGLE_BITS) - 1) >> ID_TRIANGLE_BITS; }
 };
 
 /// Returns the draws of a skin mesh on the device, where triangles with a chart come first: one per run of

@@ -20,6 +20,12 @@ inline PixelArea moved(const PixelArea& area, const glm::uvec2& by) {
   return area.low == area.high ? PixelArea{} : PixelArea{area.low + by, area.high + by};
 }
 
+/// Returns what of it lies in these rows; none if there is nothing.
+inline PixelArea rows_of(const PixelArea& area, std::uint32_t first, std::uint32_t end) {
+  const std::uint32_t low = glm::max(area.low.y, first), high = glm::min(area.high.y, end);
+  return low < high ? PixelArea{{area.low.x, low}, {area.high.x, high}} : PixelArea{};
+}
+
 /// Returns the same in a picture of half the width and height.
 inline PixelArea halved(const PixelArea& area) { return {area.low / 2u, (area.high + 1u) / 2u}; }
 

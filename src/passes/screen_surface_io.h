@@ -4,11 +4,13 @@
 #define DERMIS_PASSES_SCREEN_SURFACE_IO_H
 #include "shared/types.h"
 
-// A surface: head + 1 in the upper 12 bits (MOST_PARTS heads at most), 0 where no skin is; below, its normal
-// in octahedral coordinates of 10 bits each.
+// A surface: head + 1 in the upper 12 bits, 0 where no skin is; below, its normal in octahedral coordinates
+// of 10 bits each.
 #define SURFACE_NORMAL_BITS 20
-// Numbers of skin meshes are stored less this, so that half floats hold all 4095 exactly.
+#define MOST_SURFACE_HEADS 4095
+// Numbers of skin meshes are stored less this, so that half floats hold all exactly.
 #define SURFACE_MESH_MIDDLE 2048
+#define MOST_SURFACE_MESHES 4096
 
 DERMIS_IO_BEGIN
 // Of one skin mesh of one head.

@@ -14,9 +14,6 @@ template <>
 inline constexpr std::array<std::string_view, 2> names_of<BlurMask>{"alpha", "depth"};
 
 template <>
-inline constexpr std::array<std::string_view, 2> names_of<Shading>{"raster", "compute"};
-
-template <>
 inline constexpr std::array<std::string_view, 3> names_of<ScreenKernel>{"profile", "published", "ue"};
 
 template <>

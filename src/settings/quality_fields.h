@@ -88,15 +88,6 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .rebuilds = true,
            .real_time = true}},
 
-    Field{
-        "shading",
-        &QualitySettings::shading,
-        {.help = "raster: skin is shaded where its triangles are drawn; compute: once per pixel and surface",
-         .none = "fastest on this kind of device",
-         .option = "shading",
-         .rebuilds = true,
-         .real_time = true}},
-
     Field{"kernel",
           &QualitySettings::kernel,
           {.help = "of techniques in screen space: the profile of the skin, in mm; what the technique was "
@@ -152,6 +143,7 @@ inline constexpr std::array gone_from<QualitySettings>{
     Gone{"blur_resolution", {}, "techniques in screen space blur the picture itself"},
     Gone{"maps", {}, "texture-space blurs narrow to wide, on one size of maps"},
     Gone{"irradiance", {}, "the texels of light maps are always lit in compute"},
+    Gone{"shading", {}, "skin is always shaded in compute"},
     Gone{"mask", "tiles",
          "texture-space always blurs tiles, and published has no other masks than alpha and depth"}};
 

@@ -88,6 +88,4 @@ gaussians::SumOfGaussians choose_profile(const scene::Material& material, const 
   return material.skin_settings.profile.value_or(gaussians::skin_six());
 }
 
-Shading choose_shading(const QualitySettings& quality) { return quality.shading.value_or(Shading::compute); }
-
 }  // namespace dermis::setup

@@ -28,8 +28,4 @@ gaussians::SumOfGaussians choose_profile(
     const std::optional<gaussians::SumOfGaussians>& of_instance = {},
     gaussians::LeastVariance least = gaussians::LeastVariance::above_zero);
 
-/// Returns where the settings shade skin, else the way that is fastest: compute, on every kind of device
-/// (docs/techniques.md).
-Shading choose_shading(const QualitySettings& quality);
-
 }  // namespace dermis::setup

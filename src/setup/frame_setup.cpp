@@ -10,6 +10,7 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "passes/screen_surface_io.h"
 #include "passes/shadow/fit.h"
 #include "scene/framing.h"
 #include "setup/background.h"
@@ -257,18 +258,19 @@ void check_unscattered(const techniques::FrameSettings& plan) {
           "blurred light that it reads");
 }
 
-// Light is blurred between the pixels of one picture of ours, in which ids tell heads apart.
-void check_screen_space(const FrameSetup& setup) {
+// Ids tell parts apart, and techniques in screen space tell heads and skin meshes apart.
+void check_numbers(const FrameSetup& setup) {
   const techniques::FrameSettings& plan = setup.plan;
-  if (!setup.technique->screen_space || !plan.has_skin() || plan.can_shade_entries()) return;
-  if (plan.host)
-    throw input_error(
-        "", "technique '{}' needs a picture of its own: PictureTargets::largest, of {} pixels at most",
-        setup.technique->name, MOST_SHADED_PIXELS);
-  throw input_error("",
-                    "technique '{}' tells skin apart by ids, which have room for {} parts, {} triangles per "
-                    "skin mesh and {} pixels; this frame has more",
-                    setup.technique->name, MOST_PARTS, MOST_TRIANGLES, MOST_SHADED_PIXELS);
+  if (plan.parts() > MOST_PARTS)
+    throw input_error("",
+                      "a frame may have {} parts of skin, this one has {}: runs of up to {} triangles of one "
+                      "material of a head",
+                      MOST_PARTS, plan.parts(), 1 << ID_TRIANGLE_BITS);
+  if (!setup.technique->screen_space) return;
+  if (plan.head_count() > MOST_SURFACE_HEADS || plan.skin.size() > MOST_SURFACE_MESHES)
+    throw input_error("", "technique '{}' tells {} heads and {} skin meshes apart, this frame has {} and {}",
+                      setup.technique->name, MOST_SURFACE_HEADS, MOST_SURFACE_MESHES, plan.head_count(),
+                      plan.skin.size());
 }
 
 // Its maps are those of heads that stand as their files have them, in a picture of ours.
@@ -423,11 +425,9 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   sort_heads(setup, s);
   setup.plan.keep_shadows = s.quality.keep_shadows && s.output.show == "picture" &&
                             can_keep_shadows(setup.plan, *setup.technique, device, every_view);
-  check_screen_space(setup);
+  check_numbers(setup);
   check_published(setup);
   check_unscattered(setup.plan);
-  const bool in_compute = choose_shading(s.quality) == Shading::compute || setup.technique->screen_space;
-  setup.plan.shade_entries = in_compute && !setup.technique->as_published && setup.plan.can_shade_entries();
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

@@ -82,7 +82,10 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   part.in_model = static_cast<std::uint32_t>(number);
   part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
   part.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
-  part.draws = static_cast<std::uint32_t>(passes::draws_of(mesh).size());
+  const std::vector<passes::GpuDraw> draws = passes::draws_of(mesh);
+  part.draws = static_cast<std::uint32_t>(draws.size());
+  part.parts = 0;
+  for (const passes::GpuDraw& draw : draws) part.parts += draw.parts();
   part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
   choose_shape(part.profile, s);
   take_unscattered(part);

@@ -11,10 +11,6 @@
 #include "passes/clear_buffers.h"
 #include "passes/compose_entries/compose_entries.h"
 #include "passes/count/count.h"
-#include "passes/final_pass/final_pass.h"
-#include "passes/final_pass/shade.h"
-#include "passes/final_pass/shade_pre_integrated.h"
-#include "passes/final_pass/shade_split.h"
 #include "passes/ids/ids.h"
 #include "passes/labels/label_planes.h"
 #include "passes/labels/labels.h"
@@ -23,6 +19,10 @@
 #include "passes/open_share/matte.h"
 #include "passes/open_share/open_share.h"
 #include "passes/resolve/resolve.h"
+#include "passes/shade/shade.h"
+#include "passes/shade/shade_pre_integrated.h"
+#include "passes/shade/shade_split.h"
+#include "passes/shade/unshaded_reads.h"
 #include "passes/shadow/shadow.h"
 #include "passes/surface/surface.h"
 #include "passes/tone_map/tone_map.h"
@@ -54,7 +54,7 @@ std::string label_part(std::string_view what, const FrameSettings& settings, std
 
 Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size_t counters)
     : plan_(&plan), settings_(settings) {
-  if (!settings.shade_entries || settings.host) colour();
+  if (settings.host) colour();
   const auto lifetime = settings.host ? frame::Lifetime::of_host : frame::Lifetime::transient;
   if (settings.draws_picture())
     depth_ = plan.texture("depth", target(settings.picture_format().depth), lifetime);
@@ -106,15 +106,15 @@ frame::TextureId Screen::colour() {
 std::uint32_t Screen::first_part(const passes::MapSquare& square) const {
   std::uint32_t part = first_part_[square.instance];
   for (std::uint32_t mesh = settings_.model_of(square.instance).first_mesh; mesh < square.mesh; ++mesh)
-    part += settings_.skin[mesh].draws;
+    part += settings_.skin[mesh].parts;
   return part;
 }
 
 void Screen::add_entries() {
-  if (!settings_.shade_entries) return;
+  if (!settings_.draws_picture() || !settings_.has_skin()) return;
   first_part_ = {0};
   for (std::uint32_t head = 0; head < settings_.head_count(); ++head)
-    first_part_.push_back(first_part_.back() + settings_.draws_of(settings_.model_of(head)));
+    first_part_.push_back(first_part_.back() + settings_.parts_of(settings_.model_of(head)));
 
   passes::Ids::Settings ids{.samples = settings_.samples,
                             .reversed_depth = settings_.picture_format().reversed_depth,
@@ -130,10 +130,9 @@ void Screen::add_entries() {
   }
 
   entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
-  plan_->add<passes::ClearBuffers>("clear parts", {{entries_.parts}});
   // What a host holds cannot be cleared, nor read.
   ids_depth_ = settings_.host ? plan_->texture("depth of ids", target(passes::depth_format)) : depth_;
-  ids_ = plan_->add<passes::Ids>("ids", {ids_depth_}, ids).ids;
+  ids_ = plan_->add<passes::Ids>("ids", {ids_depth_, entries_.parts}, ids).ids;
   plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});
   plan_->add<passes::PartRanges>("part ranges", {entries_});
   plan_->add<passes::EntryList>("entry list", {entries_});
@@ -156,32 +155,27 @@ passes::SkinLook Screen::whole_look_of(const passes::MapSquare& square) const {
   return look;
 }
 
-void Screen::add_skin(const std::vector<SkinOnScreen>& skin,
-                      const std::function<std::string(std::string_view)>& name_of) {
+void Screen::add_skin(const std::vector<SkinOnScreen>& skin, const std::string& name) {
   if (!settings_.draws_picture() || skin.empty()) return;
+  Together<passes::Shade>::In shade;
+  for (const auto& [asked, maps] : skin)
+    shade.members.push_back(
+        {{{maps, shadow_, entering_}, entries_},
+         {.look = look_of(asked), .first_part = first_part(asked.square), .samples = settings_.samples}});
+  plan_->add<Together<passes::Shade>>(name, shade);
+}
 
-  Together<passes::Shade>::In computed;
-  Together<passes::FinalPass>::In drawn;
-  for (const auto& [asked, maps] : skin) {
-    const passes::SkinLook look = look_of(asked);
-    const passes::SkinLights lights{maps, shadow_, entering_};
-
-    if (shaded())
-      computed.members.push_back(
-          {{lights, entries_},
-           {.look = look, .first_part = first_part(look.square), .samples = settings_.samples}});
-    else
-      drawn.members.push_back({{lights, colour(), depth_},
-                               {.look = look,
-                                .samples = settings_.samples,
-                                .format = settings_.picture_format(),
-                                .clear = take_clear()}});
-  }
-
-  if (shaded())
-    plan_->add<Together<passes::Shade>>(name_of("shade"), computed);
-  else
-    plan_->add<Together<passes::FinalPass>>(name_of("final"), drawn);
+void Screen::add_unshaded_reads(const std::vector<SkinOnScreen>& skin, std::uint32_t slot,
+                                const std::string& name) {
+  if (!settings_.draws_picture() || settings_.host) return;
+  Together<passes::UnshadedReads>::In reads;
+  for (const auto& [asked, maps] : skin)
+    reads.members.push_back({{{maps, shadow_, entering_}, entries_, counters_},
+                             {.look = look_of(asked),
+                              .first_part = first_part(asked.square),
+                              .samples = settings_.samples,
+                              .slot = slot}});
+  plan_->add<Together<passes::UnshadedReads>>(name, reads);
 }
 
 void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
@@ -200,8 +194,8 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
           .blurred = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)},
           .mm_per_unit = settings_.skin[square.mesh].mm_per_unit,
           .first_part = first_part(square),
-          .head_part = first_part_[square.instance],
-          .head_parts_end = first_part_[square.instance + 1],
+          .first_part_of_head = first_part_[square.instance],
+          .end_part_of_head = first_part_[square.instance + 1],
           .samples = settings_.samples}});
   }
   plan_->add<Together<passes::ShadeSplit>>(name, split);

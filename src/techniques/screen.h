@@ -2,13 +2,12 @@
 /// What all techniques share: the targets on the screen, the parts that are not skin, and how a frame ends.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "passes/entries/entries.h"
-#include "passes/final_pass/skin_shading.h"
 #include "passes/screen_surface.h"
+#include "passes/shade/skin_shading.h"
 #include "techniques/batches.h"
 #include "techniques/technique.h"
 
@@ -43,10 +42,12 @@ class Screen {
   void begin_batch(const Batch& batch);
   /// Adds the shadow maps of all lights for the heads of a batch.
   void add_shadows(const Batch& batch);
-  /// Adds skin, drawn or shaded, in a pass that is named by name_of("final") or "shade". Nothing if the frame
-  /// draws no picture.
-  void add_skin(const std::vector<SkinOnScreen>& skin,
-                const std::function<std::string(std::string_view)>& name_of);
+  /// Adds the shading of skin, in a pass of this name. Needs begin_batch(). Nothing if the frame draws no
+  /// picture.
+  void add_skin(const std::vector<SkinOnScreen>& skin, const std::string& name);
+  /// Adds the count of reads of its maps that find no light, into this slot of the counters. Before
+  /// add_skin(), which takes the ids of the entries. Nothing for a host.
+  void add_unshaded_reads(const std::vector<SkinOnScreen>& skin, std::uint32_t slot, const std::string& name);
   /// For skin that a pass of the technique draws: the target that it, or a layer over it, is drawn into, made
   /// at the first call; and true at the first call only: that pass clears colour and depth.
   frame::TextureId colour();
@@ -73,8 +74,7 @@ class Screen {
   FrameOutputs finish();
 
  private:
-  /// With FrameSettings::shade_entries, finds what the picture shows of the skin of all heads. Else adds
-  /// nothing.
+  /// Finds what the picture shows of the skin of all heads. Nothing if there is none.
   void add_entries();
   void make_shadow_maps();
   gpu::TextureDesc target(VkFormat format) const;
@@ -99,13 +99,13 @@ class Screen {
   FrameSettings settings_;
   // If skin is shaded, colour_ is a layer over it, valid if there is anything in it; but that of a host.
   frame::TextureId colour_, depth_, shadow_, entering_;
-  frame::TextureId ids_, ids_depth_;  // with shade_entries
+  frame::TextureId ids_, ids_depth_;  // if skin is shaded
   frame::TextureId entering_depth_;   // valid if what enters is drawn apart from the shadow maps
   frame::BufferId counters_;
   frame::TextureId
       cover_;  // alpha: what blended surfaces hide of the background; valid if colour_ has no such
   bool cleared_ = false;
-  passes::EntryBuffers entries_;           // with shade_entries
+  passes::EntryBuffers entries_;           // if skin is shaded
   std::vector<std::uint32_t> first_part_;  // of each head, and the number of all
 };
 

@@ -25,11 +25,7 @@ void add_over_skin(Screen& screen, const std::vector<Batch>& batches) {
 
 }  // namespace
 
-FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings& settings,
-                                   const ScreenBlur& blur) {
-  FrameSettings s = settings;
-  s.shade_entries = s.can_shade_entries();
-  DERMIS_ASSERT_EQ(s.shade_entries, s.has_skin());
+FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings& s, const ScreenBlur& blur) {
   Screen screen(plan, s);
 
   passes::ScreenSurface surface;

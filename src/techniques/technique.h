@@ -19,9 +19,9 @@
 #include "frame/graph.h"
 #include "gaussians/sum.h"
 #include "passes/behind.h"
-#include "passes/final_pass/skin_shading.h"
 #include "passes/frame_data.h"
 #include "passes/light_pool.h"
+#include "passes/shade/skin_shading.h"
 #include "passes/targets.h"
 
 namespace dermis::techniques {
@@ -55,6 +55,7 @@ struct SkinPart {
   std::uint32_t in_model = 0;  ///< number among the meshes of its model
   std::uint32_t triangles = 0, vertices = 0;
   std::uint32_t draws = 1;     ///< runs of triangles of one material: passes::GpuMesh::draws
+  std::uint32_t parts = 1;     ///< of these, for ids: passes::GpuDraw::parts
   double max_uv_per_mm = 1;    ///< in the densest direction; a twentieth of the skin has more
   double mean_uv_per_mm = 1;   ///< geometric mean of both directions
   double least_uv_per_mm = 1;  ///< a twentieth of the skin has fewer
@@ -101,11 +102,10 @@ struct Optimise {
 /// What a host takes from a frame, and gives to it: see dermis/vulkan.h.
 struct HostPart {
   std::optional<passes::PictureFormat> picture;  ///< the heads are drawn into its targets; none: they are not
-  /// Of its largest targets, pixels: room for ids and entries. 0: skin is shaded where it is drawn.
-  std::uint32_t width = 0, height = 0;
-  bool scattered = false;   ///< it reads the blurred light
-  bool irradiance = false;  ///< it draws the irradiance
-  bool shadows = false;     ///< it has shadow maps for some lights
+  std::uint32_t width = 0, height = 0;           ///< of its largest targets, pixels: room for ids and entries
+  bool scattered = false;                        ///< it reads the blurred light
+  bool irradiance = false;                       ///< it draws the irradiance
+  bool shadows = false;                          ///< it has shadow maps for some lights
   bool operator==(const HostPart&) const = default;
 };
 
@@ -147,9 +147,6 @@ struct FrameSettings {
 
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
-  /// Skin is drawn as ids and shaded in compute, once per entry of a pixel (passes/entries); else where it is
-  /// drawn. See can_shade_entries().
-  bool shade_entries = false;
   ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
   std::uint32_t taps = 0;                       ///< of their kernels; 0: as many as usual
 
@@ -166,7 +163,8 @@ struct FrameSettings {
   std::uint32_t shadow_sets() const { return keep_shadows ? head_count() : heads_per_batch; }
   const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }
   std::uint32_t most_meshes() const;                 ///< of a model
-  std::uint32_t draws_of(const Model& model) const;  ///< SkinPart::draws of its meshes
+  std::uint32_t parts_of(const Model& model) const;  ///< SkinPart::parts of its meshes
+  std::uint64_t parts() const;                       ///< of all heads
   bool draws_picture() const { return picture && (!host || host->picture); }
   bool host_lights() const { return host && host->irradiance; }
   /// Light maps hold the terms that pixels read, on as few texels as they take (map_side.h), and the rest of
@@ -183,10 +181,7 @@ struct FrameSettings {
   double chain_texels_per_mm(const SkinPart& part) const {
     return chain_texels_per_mm(part, part.map_size > 0 ? part.map_size : map_size);  // of T_max
   }
-  /// Returns whether ids can tell apart all skin, and whether its pixels fit in a buffer: limits of
-  /// shared/entries_io.h. False for a host that draws no picture, or leaves no room for ids.
-  bool can_shade_entries() const;
-  bool has_skin() const;  ///< of any head
+  bool has_skin() const { return parts() > 0; }
   passes::PictureFormat picture_format() const {
     return host && host->picture ? *host->picture : passes::PictureFormat{};
   }

@@ -64,6 +64,8 @@ TEST_F(Options, WhatCannotBeParsedEndsWithTwo) {
                         "--maps: is gone: texture-space blurs");
   expect_not_understood(run({"render", scene, "-o", out, "--blur", "chain"}),
                         "--blur: is gone: texture-space blurs");
+  expect_not_understood(run({"render", scene, "-o", out, "--shading", "raster"}),
+                        "--shading: is gone: skin is always shaded in compute");
   expect_not_understood(run({"plan", "--brush"}), "--brush");
 }
 
@@ -71,7 +73,6 @@ TEST_F(Options, UnknownNamesListTheKnownOnes) {
   refuse({"--technique", "oil"}, "texture-space, lambert");
   refuse({"--tone-map", "sepia"}, "natural, neutral, agx, filmic, srgb, linear");
   refuse({"--mask", "tape"}, "alpha, depth");
-  refuse({"--shading", "some"}, "raster, compute");
   refuse({"--camera", "main"}, "it has no cameras");
   refuse({"--show", "nothing"}, "picture, blur:");
   refuse({"--show", "shadow:-1"}, "shadow:0");

@@ -42,8 +42,8 @@ ordered_json cell_json(const Cell& cell) {
   for (const char* key : {compute_key, still_key}) {
     json[fmt::format("speedup_{}", key)] = or_null(cell.speedup_of(key, baseline_key));
     json[fmt::format("{}_over_all", key)] = or_null(cell.speedup_of(key, optimised_key));
-    json[fmt::format("{}_over_lambert", key)] = or_null(cell.speedup_of(key, compute_floor_key));
-    json[fmt::format("{}_minus_lambert_ms", key)] = or_null(cell.ms_over(key, compute_floor_key));
+    json[fmt::format("{}_over_lambert", key)] = or_null(cell.speedup_of(key, floor_key));
+    json[fmt::format("{}_minus_lambert_ms", key)] = or_null(cell.ms_over(key, floor_key));
   }
   json["paper_speedup"] = or_null(paper_speedup(cell.heads, cell.distance));
 

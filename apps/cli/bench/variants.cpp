@@ -12,10 +12,8 @@ RenderSettings with(RenderSettings s, bool cull, bool depth, bool clip) {
   return s;
 }
 
-// The same by texture-space, shaded where it is drawn.
-RenderSettings drawn(RenderSettings s) {
-  s.technique = "texture-space";
-  s.quality.shading = Shading::raster;
+RenderSettings by(const char* technique, RenderSettings s) {
+  s.technique = technique;
   return s;
 }
 
@@ -31,19 +29,8 @@ RenderSettings at_edge(RenderSettings s) {
   return s;
 }
 
-RenderSettings unscattered(RenderSettings s) {
-  s = drawn(with(s, false, false, false));
-  s.technique = "lambert";
-  return s;
-}
-
 RenderSettings still(RenderSettings s) {
   s.quality.keep_shadows = true;
-  return s;
-}
-
-RenderSettings shaded_in_compute(RenderSettings s) {
-  s.quality.shading = Shading::compute;
   return s;
 }
 
@@ -65,16 +52,14 @@ std::vector<Variant> variants_of(const RenderSettings& common) {
     all.push_back({at_edge_key, "margin 0", "all, clipped at the edge of the picture as in the paper",
                    at_edge(common)});
 
-  const RenderSettings computed = shaded_in_compute(drawn(with(common, true, true, true)));
+  const RenderSettings computed = by("texture-space", with(common, true, true, true));
   all.push_back({compute_key, "compute", "all, by texture-space", computed, true});
   all.push_back({still_key, "still",
                  "compute, where heads and lights stand still: their shadow maps are kept", still(computed),
                  true});
 
   all.push_back({floor_key, "lambert", "the same lights and specular without scattering: the floor",
-                 unscattered(common)});
-  all.push_back(
-      {compute_floor_key, "lam ids", "the floor, shaded in compute", shaded_in_compute(unscattered(common))});
+                 by("lambert", with(common, false, false, false))});
   return all;
 }
 

@@ -27,7 +27,6 @@ inline constexpr const char* at_edge_key = "all_margin_0";
 inline constexpr const char* compute_key = "compute";
 inline constexpr const char* still_key = "still";  ///< `compute`, with the shadow maps of the frame before
 inline constexpr const char* floor_key = "lambert";
-inline constexpr const char* compute_floor_key = "lambert_compute";
 
 /// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
 /// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever

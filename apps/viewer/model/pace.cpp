@@ -31,9 +31,6 @@ RenderSettings Pace::settings(const RenderSettings& full) const {
   // The same at every level: seams are prepared for each size of the maps, which takes seconds.
   small.quality.map_size = std::min(full.quality.map_size, moving_map_size);
   small.quality.shadow_size = std::min(full.quality.shadow_size, 2 * moving_map_size);
-  // Of the ways that give nearly the same picture, those that are fastest where there is no GPU. On one there
-  // is time for all of it, and none of this is used.
-  small.quality.shading = Shading::compute;
   return small;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Fills what a frame uses of light maps with zeros, in compute: a device need not begin to render for that.
+/// Fills what a frame uses of light maps with zeros, in compute: a device need not begin to render for that;
+/// and buffers.
 #pragma once
 
 #include <vector>
@@ -16,6 +17,7 @@ class ClearTexels : public ComputePass {
   } settings;
   struct In {
     std::vector<frame::TextureId> maps;  ///< RGBA16F pools
+    std::vector<frame::BufferId> buffers;
   } in;
   struct Out {};
   Out declare(frame::Declare& d);

@@ -19,7 +19,9 @@ io::EntriesIo entries_io(const EntryBuffers& buffers, const FrameData& frame) {
                    .offset = 0,
                    .factor = 0,
                    .orthographic = camera.orthographic,
-                   .pixel = pixel};
+                   .pixel = pixel,
+                   .parts = buffers.part_count,
+                   .band_rows = buffers.band_rows};
   if (camera.orthographic != 0) {
     io.factor = 1 / glm::length(z);
   } else {
@@ -57,33 +59,42 @@ void Entries::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
 PartRanges::Out PartRanges::declare(frame::Declare& d) {
   compute(d, "part_ranges.comp");
   d.write(in.buffers.parts);
-  d.write(in.buffers.list);
+  for (const frame::BufferId list : in.buffers.lists) d.write(list);
   return {};
 }
 
 void PartRanges::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
-  Bindings()
-      .add("Parts", resources.buffer(in.buffers.parts))
-      .add("List", resources.buffer(in.buffers.list))
-      .bind(cmd, pipeline());
-  dispatch(cmd, io::PartRangesIo{in.buffers.part_count}, 1, 1);
+  for (std::uint32_t band = 0; band < in.buffers.bands(); ++band) {
+    Bindings()
+        .add("Parts", resources.buffer(in.buffers.parts))
+        .add("List", resources.buffer(in.buffers.lists[band]))
+        .bind(cmd, pipeline());
+    const std::uint32_t parts = in.buffers.part_count;
+    dispatch(cmd, io::PartRangesIo{.parts = parts, .first_part = band * parts}, 1, 1);
+  }
 }
 
 EntryList::Out EntryList::declare(frame::Declare& d) {
   compute(d, "entry_list.comp");
   d.read(in.buffers.samples);
   d.read(in.buffers.entries);
-  d.write(in.buffers.list);
+  for (const frame::BufferId list : in.buffers.lists) d.write(list);
   return {};
 }
 
 void EntryList::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  Bindings()
-      .add("samples_of_pixels", resources.storage(in.buffers.samples))
-      .add("entries_of_pixels", resources.storage(in.buffers.entries))
-      .add("List", resources.buffer(in.buffers.list))
-      .bind(cmd, pipeline());
-  dispatch(cmd, io::EntryListIo{.area = frame.heads.io(), .width = in.buffers.width}, frame.heads.size());
+  for (std::uint32_t band = 0; band < in.buffers.bands(); ++band) {
+    const std::uint32_t first_row = in.buffers.first_row(band);
+    const PixelArea area = rows_of(frame.heads, first_row, first_row + in.buffers.band_rows);
+    if (area.low.y == area.high.y) continue;
+    Bindings()
+        .add("samples_of_pixels", resources.storage(in.buffers.samples))
+        .add("entries_of_pixels", resources.storage(in.buffers.entries))
+        .add("List", resources.buffer(in.buffers.lists[band]))
+        .bind(cmd, pipeline());
+    dispatch(cmd, io::EntryListIo{.area = area.io(), .width = in.buffers.width, .first_row = first_row},
+             area.size());
+  }
 }
 
 ResolveEntries::Out ResolveEntries::declare(frame::Declare& d) {

@@ -114,8 +114,10 @@ PixelEntries find_entries(ivec2 at) {
 }
 #endif
 
-// Counts an entry and returns its rank among those of its part.
-uint rank_of(uint id) { return atomicAdd(parts[(id >> ID_TRIANGLE_BITS) - 1u].count, 1u); }
+// Counts an entry and returns its rank among those of its part in the band.
+uint rank_of(uint id, uint band) {
+  return atomicAdd(parts[band * io.parts + (id >> ID_TRIANGLE_BITS) - 1u].count, 1u);
+}
 
 void main() {
   if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.area.size))) return;
@@ -126,7 +128,8 @@ void main() {
   imageStore(samples_of_pixels, at, uvec4(found.samples | part_of_first << SAMPLES_BITS));
 
   if (found.samples == 15u) imageStore(entries_of_pixels, ivec3(at, 1), uvec4(found.ids[1], 0u, 0u, 0u));
+  const uint band = uint(at.y) / io.band_rows;
   int e = 0;
   for (uint left = found.samples; left != 0u; left >>= 4, ++e)
-    imageStore(entries_of_pixels, ivec3(at, e), uvec4(found.ids[e], rank_of(found.ids[e]), 0u, 0u));
+    imageStore(entries_of_pixels, ivec3(at, e), uvec4(found.ids[e], rank_of(found.ids[e], band), 0u, 0u));
 }

@@ -25,7 +25,7 @@ class Entries : public ComputePass {
   bool multisampled_ = false;
 };
 
-/// Gives each part its range of the list, and its indirect dispatch.
+/// Gives each part its range of the list of each band, and its indirect dispatch.
 class PartRanges : public ComputePass {
  public:
   struct Settings {
@@ -38,7 +38,7 @@ class PartRanges : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// Writes the list.
+/// Writes the lists.
 class EntryList : public ComputePass {
  public:
   struct Settings {

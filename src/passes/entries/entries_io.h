@@ -10,14 +10,18 @@ struct EntriesIo {
   // orthographic.
   float offset, factor;
   uint orthographic;
-  float pixel;  // side of a pixel: metres per metre of distance, or metres if orthographic
+  float pixel;     // side of a pixel: metres per metre of distance, or metres if orthographic
+  uint parts;      // of a band
+  uint band_rows;  // pixels
 };
 struct PartRangesIo {
-  uint parts;
+  uint parts;       // of a band
+  uint first_part;  // of this band among those of all
 };
 struct EntryListIo {
-  PixelAreaIo area;  // as above
+  PixelAreaIo area;  // that holds all heads in this band
   uint width;        // of the picture, pixels
+  uint first_row;    // of the band, pixels
 };
 DERMIS_IO_END
 #endif

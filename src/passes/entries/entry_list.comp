@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the entries of each pixel to their places in the list.
+// Writes the entries of each pixel of a band to their places in its list.
 #version 460
 #include "passes/entries/entries_io.h"
 #include "passes/shaded_entry.glsl"
@@ -18,6 +18,7 @@ void main() {
   for (uint left = samples; left != 0u; left >>= 4, ++e) {
     const uvec2 entry = imageLoad(entries_of_pixels, ivec3(at, e)).xy;  // id and rank
     const uint first = list[2u * ((entry.x >> ID_TRIANGLE_BITS) - 1u)];
-    list[first + entry.y] = at.y * io.width + at.x | e << PIXEL_BITS | (left & 15u) << LISTED_SAMPLES_SHIFT;
+    list[first + entry.y] =
+        (at.y - io.first_row) * io.width + at.x | e << PIXEL_BITS | (left & 15u) << LISTED_SAMPLES_SHIFT;
   }
 }

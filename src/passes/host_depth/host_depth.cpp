@@ -47,7 +47,7 @@ void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
           return material.alpha_mode == scene::AlphaMode::blend ? nullptr
                                                                 : &pipeline_of(material, target.cull);
         },
-        [&](const GpuMaterial&) {
+        [&](const GpuDraw&, const GpuMaterial&) {
           return io::HostDepthIo{.clip_from_world = target.clip_from_world, .instance = instance.transform};
         });
 }

@@ -20,6 +20,7 @@ Ids::Out Ids::declare(frame::Declare& d) {
   out_.ids = d.create("ids", desc);
   d.colour(out_.ids);
   d.depth(in.depth);
+  d.copy_to(in.parts);
   return out_;
 }
 
@@ -43,6 +44,7 @@ void Ids::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  cmd.fill(resources.buffer(in.parts), 0);
   const gpu::ColourTarget ids{.texture = &resources.texture(out_.ids), .clear = no_light};
   const gpu::DepthTarget depth{.texture = &resources.texture(in.depth),
                                .clear = settings.reversed_depth ? 0.0f : 1.0f};
@@ -59,7 +61,12 @@ void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
     draw_skin(
         cmd, instance, number, bindings,
         [&](const GpuDraw&, const GpuMaterial& m) { return pipelines_[m.double_sided][m.cut_out]; },
-        [&](const GpuMaterial&) { return io::IdsIo{.first_id = first_id(part++)}; },
+        [&](const GpuDraw& draw, const GpuMaterial&) {
+          // That of triangle 0 of the mesh, modulo 2^32. Ids of the parts of a draw follow each other.
+          const std::uint32_t first = first_id(part) - draw.first_index / 3;
+          part += draw.parts();
+          return io::IdsIo{.first_id = first};
+        },
         first_corners(instance, number));
   }
   cmd.end_rendering();

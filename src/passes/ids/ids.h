@@ -12,13 +12,13 @@
 
 namespace dermis::passes {
 
-/// A skin mesh of a head, and the number of the first of its parts: it has as many as GpuMesh::draws.
+/// A skin mesh of a head, and the number of the first of its parts: GpuDraw::parts.
 struct IdMesh {
   MapSquare square;
   std::uint32_t first_part = 0;
 };
 
-/// Returns the id of triangle 0 of a mesh in this part.
+/// Returns the id of the first triangle of a part.
 constexpr std::uint32_t first_id(std::uint32_t part) { return (part + 1) << ID_TRIANGLE_BITS; }
 
 class Ids {
@@ -31,6 +31,7 @@ class Ids {
   } settings;
   struct In {
     frame::TextureId depth;  ///< cleared here
+    frame::BufferId parts;   ///< of EntryBuffers, likewise
   } in;
   struct Out {
     frame::TextureId ids;  ///< RGBA8: shared/entries_io.h

@@ -7,8 +7,6 @@
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
 layout(push_constant, scalar) uniform Push { IdsIo io; };
-invariant
-    gl_Position;  // final_pass.vert has the same: unshaded_reads.frag tests against the depth written here
 layout(location = 0) flat out uint out_id;
 layout(location = 3) out vec4 out_uv;
 layout(location = 4) out vec4 out_colour;

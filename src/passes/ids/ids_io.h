@@ -4,7 +4,7 @@
 #include "shared/types.h"
 DERMIS_IO_BEGIN
 struct IdsIo {
-  uint first_id;  // of the part's mesh: that of triangle 0
+  uint first_id;  // that triangle 0 of the mesh would have
 };
 DERMIS_IO_END
 #endif

@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: MIT
-// One texel of the head's light; what is not written stays unlit. GROUPS: as lit_texel.glsl.
+// Light of a texel, E albedo^mix / pi 2^EV: the input of the convolution. GROUPS: of the profile's terms that
+// transmitted light joins, each with a target (passes/transmission.h); 0: no transmitted light. Alpha is the
+// number of the chart; BORDER_ALPHA where the alpha test cuts the skin away. What is not written stays unlit.
 #define COMPUTE_SHADING
 #include "shared/scene_io.h"
-#include "passes/irradiance/lit_texel.glsl"
+#include "shaders/half.glsl"
+#include "shaders/skin_point.glsl"
+#include "shaders/skin_lights.glsl"
+#if GROUPS > 0
+#include "shaders/skin_through.glsl"
+#define TARGETS GROUPS
+#else
+#define TARGETS 1
+#endif
+#include "shaders/cut_chart.glsl"
+#include "passes/irradiance/entered.glsl"
 #include "passes/irradiance/texel.glsl"
 layout(binding = 36, rgba16f) uniform writeonly image2D light;
 #if GROUPS > 1
@@ -11,6 +23,36 @@ layout(binding = 37, rgba16f) uniform writeonly image2D joining_1;
 #if GROUPS > 2
 layout(binding = 38, rgba16f) uniform writeonly image2D joining_2;
 #endif
+
+struct LitTexel {
+  vec4 group[TARGETS];
+};
+
+// Needs s.normal to be unit. `unwrap`: texture coordinates of the light map.
+LitTexel lit_texel(ShadingPoint s, vec2 unwrap, float chart_there, CutTexel cut) {
+  const vec3 n = mapped_normal(material.maps[MAP_NORMAL], map_normal, s);
+#if GROUPS > 0
+  const LitThrough r = lit_through(s, n, skin_specular(s), unseen);
+#endif
+
+  const vec4 before = entered(s, chart_there, cut);
+  const float chart = before.a;
+  const float scale = frame.radiance_scale / pi;
+
+  LitTexel lit;
+#if GROUPS > 0
+  const vec3 entering = r.skin.entering + entering_surroundings(s, n, unwrap);
+  lit.group[0] = vec4(storable((entering * before.rgb + joining(r, 0)) * scale), chart);
+#if GROUPS > 1
+  for (int g = 1; g < GROUPS; ++g) lit.group[g] = vec4(storable(joining(r, g) * scale), chart);
+#endif
+#else
+  const vec3 entering =
+      lit_skin(s, n, skin_specular(s), true, unseen).entering + entering_surroundings(s, n, unwrap);
+  lit.group[0] = vec4(storable(entering * before.rgb * scale), chart);
+#endif
+  return lit;
+}
 
 void main() {
   const ListedTexel listed = listed_texel();

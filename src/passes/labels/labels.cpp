@@ -121,7 +121,7 @@ void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& in
     passes::draw_skin(
         cmd, instance, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) { return pipeline_of(material, true); },
-        [&](const GpuMaterial& material) {
+        [&](const GpuDraw&, const GpuMaterial& material) {
           return labels_io(settings, instance, material, static_cast<std::uint32_t>(mesh) + 1);
         });
   }

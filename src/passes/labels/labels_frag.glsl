@@ -28,7 +28,7 @@ layout(location = 2) out uvec4 out_words_2;
 layout(location = 3) out uvec4 out_words_3;
 #endif
 
-// As final_pass.frag tests skin, and surface.frag all else: from the levels of the map.
+// As ids_cut_out.frag tests skin, and surface.frag all else: from the levels of the map.
 bool is_cut_in_picture() {
   if (skin) return is_cut(in_uv, in_colour);
   return material.base_colour.a * in_colour.a * texture(map_base_colour, alpha_uv(in_uv)).a <

@@ -9,12 +9,9 @@
 namespace dermis::passes {
 namespace {
 
-// Workgroups of 64 in the least number that Vulkan allows.
-constexpr std::uint32_t most_at_once = 65535 * 64;
-
 void dispatch(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, std::uint32_t vertices, float mm_per_unit) {
-  for (std::uint32_t first = 0; first < vertices; first += most_at_once) {
-    const std::uint32_t count = std::min(vertices - first, most_at_once);
+  for (std::uint32_t first = 0; first < vertices; first += gpu::most_in_row) {
+    const std::uint32_t count = std::min(vertices - first, gpu::most_in_row);
     cmd.push(pipeline, io::MoveRigIo{.first = first, .count = count, .mm_per_unit = mm_per_unit});
     cmd.dispatch_over(pipeline, count, 1);
   }

@@ -66,7 +66,7 @@ void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& in
         [&](const GpuDraw&, const GpuMaterial& material) {
           return casts(material, cut_out) ? pipelines_[true][cut_out][material.mixed] : nullptr;
         },
-        [&](const GpuMaterial&) { return io; });
+        [&](const GpuDraw&, const GpuMaterial&) { return io; });
 }
 
 void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,

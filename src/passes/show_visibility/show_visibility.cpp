@@ -37,7 +37,7 @@ void ShowVisibility::record(gpu::Cmd& cmd, const frame::Resources& resources, co
   draw_skin(
       cmd, instance, mesh, bindings,
       [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; },
-      [&](const GpuMaterial& material) { return cull_io(instance, material); },
+      [&](const GpuDraw&, const GpuMaterial& material) { return cull_io(instance, material); },
       first_corners(instance, mesh));
   cmd.end_rendering();
 }

@@ -14,9 +14,6 @@
 namespace dermis::passes {
 namespace {
 
-// Workgroups of 64 in the least number that Vulkan allows.
-constexpr std::uint32_t most_at_once = 65535 * 64;
-
 constexpr float bilinear = 1;  // texels beside a point that a read there touches
 
 }  // namespace
@@ -50,7 +47,7 @@ void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
           .reach = bilinear + settings.exit_offsets[square.mesh] * static_cast<float>(square.side)};
       const std::uint32_t end = (draws[k].first_index + draws[k].index_count) / 3;
       for (; io.first < end; io.first += io.count) {
-        io.count = std::min(end - io.first, most_at_once);
+        io.count = std::min(end - io.first, gpu::most_in_row);
         dispatch(cmd, io, io.count, 1);
       }
     }

@@ -10,9 +10,6 @@
 namespace dermis::passes {
 namespace {
 
-// Workgroups of 64 in the least number that Vulkan allows.
-constexpr std::uint32_t most_texels_at_once = 65535 * 64;
-
 // Changes the layout of all maps that the frame writes. The maps are none of the plan's: what reads them in
 // the frame before and in this one waits here.
 void change_layout(gpu::Cmd& cmd, const std::vector<SkyTurn>& turns, VkImageLayout from, VkImageLayout to) {
@@ -61,8 +58,8 @@ void TurnSky::record_turns(gpu::Cmd& cmd, const SkyTurn& turn) const {
         .bind(cmd, *turns_);
 
     const std::uint32_t vertices = turn.scene->rig->parts[i].count;
-    for (std::uint32_t first = 0; first < vertices; first += most_texels_at_once) {
-      const std::uint32_t count = std::min(vertices - first, most_texels_at_once);
+    for (std::uint32_t first = 0; first < vertices; first += gpu::most_in_row) {
+      const std::uint32_t count = std::min(vertices - first, gpu::most_in_row);
       cmd.push(*turns_, io::TurnSkyIo{.first = first, .count = count});
       cmd.dispatch_over(*turns_, count, 1);
     }
@@ -83,7 +80,7 @@ void TurnSky::record_light(gpu::Cmd& cmd, const SkyTurn& turn) const {
         .add("bent_normal", gpu::StorageImageBinding{&sky.bent_normal})
         .bind(cmd, *light_);
     // At most 512 x 512 texels: environment::occlusion_side().
-    DERMIS_ASSERT_LE(skin.sky_texel_count, most_texels_at_once);
+    DERMIS_ASSERT_LE(skin.sky_texel_count, gpu::most_in_row);
     cmd.push(*light_, io::TurnSkyIo{.first = 0, .count = skin.sky_texel_count});
     cmd.dispatch_over(*light_, skin.sky_texel_count, 1);
   }

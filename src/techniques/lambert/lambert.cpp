@@ -16,7 +16,7 @@ FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& setting
     std::vector<SkinOnScreen> skin;
     for (const passes::MapSquare& square : squares_of(settings, batch))
       skin.push_back({.look = {.square = square}, .maps = {}});
-    screen.add_skin(skin, [&](std::string_view what) { return label(what, settings, batch); });
+    screen.add_skin(skin, label("shade", settings, batch));
 
     screen.add_surfaces(batch);
     screen.add_blended(batch);

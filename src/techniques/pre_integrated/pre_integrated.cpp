@@ -41,10 +41,7 @@ std::vector<frame::BufferId> add_curvatures(passes::FramePlan& plan, const Frame
   return curvatures;
 }
 
-FrameOutputs build_pre_integrated(passes::FramePlan& plan, const FrameSettings& settings) {
-  FrameSettings s = settings;
-  s.shade_entries = s.can_shade_entries();
-  DERMIS_ASSERT_EQ(s.shade_entries, s.has_skin());
+FrameOutputs build_pre_integrated(passes::FramePlan& plan, const FrameSettings& s) {
   Screen screen(plan, s);
   const std::vector<frame::BufferId> curvatures = add_curvatures(plan, s);
   const std::uint32_t taps = s.taps > 0 ? s.taps : shadow_taps.usual;

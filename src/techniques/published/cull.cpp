@@ -17,7 +17,6 @@ Cull::Out Cull::declare(frame::Declare& d) {
 }
 
 void Cull::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  constexpr std::uint32_t most_at_once = 65535 * 64;  // workgroups of 64: the least that Vulkan allows
   if (!is_lit(frame, settings.object)) return;
   const passes::Instance& instance = instance_of(frame, settings.object);
   passes::Bindings bindings;
@@ -28,8 +27,8 @@ void Cull::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
   for (const passes::GpuDraw& draw : mesh_of(frame, settings.object).draws) {
     const io::CullIo cull = passes::cull_io(instance, instance.look->material(draw.material));
     const std::uint32_t end = (draw.first_index + draw.index_count) / 3;
-    for (std::uint32_t first = draw.first_index / 3; first < end; first += most_at_once) {
-      const std::uint32_t count = std::min(end - first, most_at_once);
+    for (std::uint32_t first = draw.first_index / 3; first < end; first += gpu::most_in_row) {
+      const std::uint32_t count = std::min(end - first, gpu::most_in_row);
       dispatch(cmd, io::CullTrianglesIo{.cull = cull, .first = first, .count = count}, count, 1);
     }
   }

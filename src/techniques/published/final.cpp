@@ -95,7 +95,7 @@ void Final::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
               .cut_out = material.cut_out, .emits = material.emits, .detailed = material.detailed};
           return pipelines_.at(draw.on_map)[kind.index()][material.double_sided];
         },
-        [io = io_of(frame)](const GpuMaterial&) { return io; },
+        [io = io_of(frame)](const GpuDraw&, const GpuMaterial&) { return io; },
         passes::first_corners(instance, mesh_in_asset(frame, settings.object)));
   }
   cmd.end_rendering();
@@ -142,7 +142,7 @@ void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, con
       [&](const GpuDraw& draw, const GpuMaterial& material) {
         return draw.on_map ? pipelines_[material.double_sided][material.cut_out] : nullptr;
       },
-      [&](const GpuMaterial&) { return io; }, passes::first_corners(instance, mesh));
+      [&](const GpuDraw&, const GpuMaterial&) { return io; }, passes::first_corners(instance, mesh));
   cmd.end_rendering();
 }
 

@@ -40,7 +40,9 @@ void Visibility::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       [&](const passes::GpuDraw&, const passes::GpuMaterial& material) {
         return pipelines_[material.cut_out];
       },
-      [&](const passes::GpuMaterial& material) { return passes::cull_io(instance, material); },
+      [&](const passes::GpuDraw&, const passes::GpuMaterial& material) {
+        return passes::cull_io(instance, material);
+      },
       passes::first_corners(instance, mesh));
   cmd.end_rendering();
 }

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "frame/together.h"
-#include "passes/final_pass/final_pass.h"
 #include "passes/scatter_sum/scatter_sum.h"
 #include "techniques/texture_space/counters.h"
 
@@ -56,20 +55,6 @@ SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const
           .maps = read_maps(maps, part)};
 }
 
-// Returns how reads of the light of one skin mesh are counted that find no light.
-frame::Member<passes::UnshadedReads> unshaded_reads_of(const FrameSettings& settings, const Screen& screen,
-                                                       const LightMaps& maps,
-                                                       const std::vector<passes::MapSquare>& squares) {
-  const SkinPart& part = settings.skin[squares.front().mesh];
-  return {.in = {read_maps(maps, part), screen.depth(), screen.counters()},
-          .settings = {.squares = squares,
-                       .samples = settings.samples,
-                       .cut_out = part.cut_out,
-                       .slot = counter_unshaded_reads,
-                       .terms = terms_on_map(part),
-                       .mixes = settings.mixes()}};
-}
-
 }  // namespace
 
 void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
@@ -83,19 +68,14 @@ void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, con
   plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
 }
 
-void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
+void add_final(const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const std::vector<passes::MapSquare>& squares) {
   if (!settings.draws_picture() || squares.empty()) return;
 
   std::vector<SkinOnScreen> skin;
   for (const passes::MapSquare& square : squares) skin.push_back(skin_of(settings, maps, square));
-  screen.add_skin(skin, [&](std::string_view what) { return maps.name(what); });
-  if (settings.host) return;
-
-  Together<passes::UnshadedReads>::In reads;
-  for (const std::uint32_t mesh : meshes_of(squares))
-    reads.members.push_back(unshaded_reads_of(settings, screen, maps, of_mesh(squares, mesh)));
-  plan.add<Together<passes::UnshadedReads>>(maps.name("count unshaded reads"), reads);
+  screen.add_unshaded_reads(skin, counter_unshaded_reads, maps.name("count unshaded reads"));
+  screen.add_skin(skin, maps.name("shade"));
 }
 
 }  // namespace dermis::techniques

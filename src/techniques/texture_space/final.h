@@ -12,10 +12,10 @@ namespace dermis::techniques {
 void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, const LightMaps& maps,
                      frame::TextureId sum, const std::vector<passes::MapSquare>& squares);
 
-/// Draws skin meshes of heads: the weighted sum of the blurred maps times the albedo, plus what the surface
-/// reflects. Then counts the texels that this reads though they were never lit. `squares`: of one batch,
+/// Shades skin meshes of heads: the weighted sum of the blurred maps times the albedo, plus what the surface
+/// reflects. Before, counts the texels that this reads though they were never lit. `squares`: of one batch,
 /// sorted by mesh, on maps of T_max.
-void add_final(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen, const LightMaps& maps,
+void add_final(const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const std::vector<passes::MapSquare>& squares);
 
 }  // namespace dermis::techniques

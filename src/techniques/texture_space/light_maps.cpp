@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "frame/together.h"
-#include "passes/clear_buffers.h"
 #include "passes/clear_texels/clear_texels.h"
 #include "passes/count/count.h"
 #include "passes/gutters/gutters.h"
@@ -153,9 +152,9 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
   std::vector<frame::TextureId> maps{light_, scratch_};
   maps.insert(maps.end(), transmitted_.begin(), transmitted_.end());
   maps.insert(maps.end(), blurred_.begin(), blurred_.end());
-  plan_->add<passes::ClearTexels>(name("clear light"), {maps}, {.squares = all});
+  plan_->add<passes::ClearTexels>(name("clear light"),
+                                  {maps, {tiles_.marks, tiles_.counts, tiles_.arguments}}, {.squares = all});
 
-  plan_->add<passes::ClearBuffers>(name("clear tiles"), {{tiles_.marks, tiles_.counts, tiles_.arguments}});
   std::vector<float> exit_offsets;
   for (const SkinPart& part : settings_->skin) {
     const auto& shape = part.profile.shape;

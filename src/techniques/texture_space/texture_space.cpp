@@ -111,7 +111,7 @@ FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s
       maps->add_light(squares);
       add_convolution(plan, s, *maps, squares);
       if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, squares);
-      add_final(plan, s, screen, *maps, squares);
+      add_final(s, screen, *maps, squares);
     }
 
     screen.add_surfaces(batch);

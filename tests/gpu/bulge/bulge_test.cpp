@@ -88,17 +88,7 @@ void expect_linear(const Checked& found, std::size_t values) {
 constexpr std::size_t disc = 6500;     // pixels, of pi / 4 * 96^2 a little less
 constexpr std::size_t charts = 18000;  // texels, of 192^2 a little more than half
 
-TEST(Bulge, OfSkinThatIsDrawn) {
-  RenderSettings s = plain("lambert");
-  s.quality.shading = Shading::raster;
-  expect_linear(check(coarse_sphere(), s), disc);
-}
-
-TEST(Bulge, OfSkinThatIsComputed) {
-  RenderSettings s = plain("lambert");
-  s.quality.shading = Shading::compute;
-  expect_linear(check(coarse_sphere(), s), disc);
-}
+TEST(Bulge, OfPixels) { expect_linear(check(coarse_sphere(), plain("lambert")), disc); }
 
 TEST(Bulge, OfTexels) {
   RenderSettings s = plain("texture-space");
@@ -123,10 +113,7 @@ TEST(Bulge, UnderASoftLight) {
 
 TEST(Bulge, GrowsWithTheBody) {
   RenderSettings s = plain("lambert");
-  for (const Shading shading : {Shading::raster, Shading::compute}) {
-    s.quality.shading = shading;
-    expect_linear(check(coarse_sphere(), s, 3), disc);
-  }
+  expect_linear(check(coarse_sphere(), s, 3), disc);
 
   s = plain("texture-space");
   s.output.show = "irradiance";

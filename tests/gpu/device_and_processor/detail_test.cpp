@@ -52,12 +52,11 @@ Scene plane(As as, float tiles) {
   return wrap(std::move(made));
 }
 
-RenderSettings settings(const std::string& technique, Shading shading) {
+RenderSettings settings(const std::string& technique) {
   RenderSettings s = small_settings(technique, pixels);
   s.output.bloom = 0;
   s.lighting.ambient = 0;
   s.quality.samples = 1;
-  s.quality.shading = shading;
   s.quality.light_samples = 1;  // of two, each shows maps of twice as many texels
   return s;
 }
@@ -69,15 +68,9 @@ double largest_difference(const Picture& a, const Picture& b) {
   return largest;
 }
 
-class Detail : public testing::TestWithParam<Shading> {};
-INSTANTIATE_TEST_SUITE_P(Shadings, Detail, testing::Values(Shading::raster, Shading::compute),
-                         [](const auto& shading) {
-                           return shading.param == Shading::raster ? "raster" : "compute";
-                         });
-
 // A pixel holds half a texel: the relief is whole, and tiles meet within the picture.
-TEST_P(Detail, IsShadedAsANormalMap) {
-  const RenderSettings s = settings("lambert", GetParam());
+TEST(Detail, IsShadedAsANormalMap) {
+  const RenderSettings s = settings("lambert");
   const Picture flat = renderer().render(plane(As::nothing, 1), s),
                 wanted = renderer().render(plane(As::normal_map, 1), s),
                 found = renderer().render(plane(As::detail, 1), s);
@@ -86,15 +79,10 @@ TEST_P(Detail, IsShadedAsANormalMap) {
 }
 
 // 0.5, 4 and 8 texels per pixel.
-TEST_P(Detail, FadesAsItsTexelsBecomeSmallerThanPixels) {
-  // Techniques in screen space always shade in compute.
-  const std::vector<std::string> techniques =
-      GetParam() == Shading::raster
-          ? std::vector<std::string>{"texture-space"}
-          : std::vector<std::string>{"texture-space", "separable", "pre-integrated"};
-  for (const std::string& technique : techniques) {
+TEST(Detail, FadesAsItsTexelsBecomeSmallerThanPixels) {
+  for (const std::string technique : {"texture-space", "separable", "pre-integrated"}) {
     SCOPED_TRACE(technique);
-    const RenderSettings s = settings(technique, GetParam());
+    const RenderSettings s = settings(technique);
     const Picture flat = renderer().render(plane(As::nothing, 1), s);
     const auto relief = [&](float tiles) {
       return largest_difference(flat, renderer().render(plane(As::detail, tiles), s));
@@ -107,7 +95,7 @@ TEST_P(Detail, FadesAsItsTexelsBecomeSmallerThanPixels) {
 }
 
 TEST(DetailOfTheReference, IsShadedAsANormalMap) {
-  RenderSettings s = settings("lambert", Shading::raster);
+  RenderSettings s = settings("lambert");
   const Picture wanted = render_reference(plane(As::normal_map, 2), s, {.samples = 2}).picture,
                 found = render_reference(plane(As::detail, 2), s, {.samples = 2}).picture,
                 flat = render_reference(plane(As::nothing, 2), s, {.samples = 2}).picture;

@@ -25,12 +25,11 @@ CameraMatrices front_camera(bool reversed_depth) {
   return m;
 }
 
-RenderSettings frame_settings(Shading shading, std::uint32_t samples) {
+RenderSettings frame_settings(std::uint32_t samples) {
   RenderSettings s = small_settings("texture-space", static_cast<int>(side), 256);
   s.output.bloom = 0;
   s.output.exposure_ev = 0;
   s.quality.samples = static_cast<int>(samples);
-  s.quality.shading = shading;
   return s;
 }
 
@@ -128,7 +127,7 @@ vulkan::MemoryCallbacks poisoned_memory(const Host& host) {
 }  // namespace
 
 Frame::Frame(const Setup& setup) : setup_(setup) {
-  if (setup_.room) setup_.options.picture->largest = setup_.extent;
+  if (setup_.options.picture) setup_.options.picture->largest = setup_.extent;
   vulkan::Host device = host.vulkan();
   if (setup_.poisoned) device.memory = poisoned_memory(host);
   renderer.emplace(device);

@@ -23,7 +23,7 @@ inline constexpr std::uint32_t side = 96;  // pixels
 CameraMatrices front_camera(bool reversed_depth = true);
 
 /// Those of a frame that is side x side pixels and seen by front_camera().
-RenderSettings frame_settings(Shading shading = Shading::raster, std::uint32_t samples = 1);
+RenderSettings frame_settings(std::uint32_t samples = 1);
 
 /// A head-sized ball of skin under one light from the upper left.
 Scene lit_ball();
@@ -57,7 +57,6 @@ class Frame {
   struct Setup {
     vulkan::HostFrames::Options options{.picture = vulkan::PictureTargets{}};
     VkExtent2D extent{side, side};
-    bool room = false;      ///< to shade in compute
     bool poisoned = false;  ///< memory of the device begins as no number, where the host can write it
   };
   Frame() : Frame(Setup{}) {}

@@ -77,12 +77,14 @@ TEST_F(EmbeddedHostility, OptionsOutOfRange) {
   const Host host;
   const Renderer renderer(host.vulkan());
   using Options = vulkan::HostFrames::Options;
-  const vulkan::PictureTargets picture;
+  constexpr VkExtent2D one{1, 1};
+  const vulkan::PictureTargets picture{.largest = one};
   const std::vector<std::pair<Options, std::string>> cases{
       {Options{}, "way in"},
       {Options{.frames_in_flight = 0, .picture = picture}, "frames_in_flight"},
       {Options{.frames_in_flight = 1000000000, .picture = picture}, "frames_in_flight"},
-      {Options{.picture = vulkan::PictureTargets{.samples = 3}}, "samples"},
+      {Options{.picture = vulkan::PictureTargets{}}, "picture.largest"},
+      {Options{.picture = vulkan::PictureTargets{.samples = 3, .largest = one}}, "samples"},
       {Options{.picture = vulkan::PictureTargets{.colour_format = VK_FORMAT_UNDEFINED}}, "colour_format"},
       {Options{.picture = vulkan::PictureTargets{.largest = {1000000000, 1}}}, "picture.largest"},
       {Options{.picture = vulkan::PictureTargets{.largest = {0, 600}}}, "picture.largest"},
@@ -105,7 +107,7 @@ TEST_F(EmbeddedHostility, LightOfChartsThatLieApartIsNotToBeRead) {
 
   const Host host;
   const Renderer renderer(host.vulkan());
-  vulkan::HostFrames picture(renderer, {.picture = vulkan::PictureTargets{}});
+  vulkan::HostFrames picture(renderer, {.picture = vulkan::PictureTargets{.largest = {64, 64}}});
   EXPECT_NO_THROW(picture.update(scene, frame_settings()));
   vulkan::HostFrames light(renderer, {.scattered = true});
   EXPECT_NE(thrown<InputError>([&] { light.update(scene, frame_settings()); }).find("charts"),

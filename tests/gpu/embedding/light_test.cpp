@@ -13,8 +13,6 @@ namespace dermis::tests {
 namespace {
 
 using EmbeddedLight = WithHost;
-class EmbeddedLightByShading : public WithHost, public testing::WithParamInterface<Shading> {};
-INSTANTIATE_TEST_SUITE_P(Shading, EmbeddedLightByShading, testing::Values(Shading::raster, Shading::compute));
 
 // Light from straight above, which shines along -y.
 Scene lit_from_above() {
@@ -97,8 +95,7 @@ class HostShadow {
 
 Frame::Setup with_depths() {
   return {.options = {.picture = vulkan::PictureTargets{},
-                      .depths = {vulkan::DepthTargets{.reversed_depth = false}, vulkan::DepthTargets{}}},
-          .room = true};
+                      .depths = {vulkan::DepthTargets{.reversed_depth = false}, vulkan::DepthTargets{}}}};
 }
 
 TEST_F(EmbeddedLight, AShadowMapOfTheHostTakesThePlaceOfOurs) {
@@ -122,9 +119,9 @@ TEST_F(EmbeddedLight, AShadowMapOfTheHostTakesThePlaceOfOurs) {
   }
 }
 
-TEST_P(EmbeddedLightByShading, WhatTheHostPutsBeforeALightDarkensTheHeads) {
+TEST_F(EmbeddedLight, WhatTheHostPutsBeforeALightDarkensTheHeads) {
   const Scene scene = lit_from_above();
-  RenderSettings settings = frame_settings(GetParam());
+  RenderSettings settings = frame_settings();
   settings.lighting.ambient = 0.2;
   Frame frame(with_depths());
   HostShadow shadow(frame, scene);
@@ -140,15 +137,15 @@ TEST_P(EmbeddedLightByShading, WhatTheHostPutsBeforeALightDarkensTheHeads) {
 
 // The same irradiance from everywhere: pi times the radiance of uniform surroundings. Without reflections all
 // of it enters.
-TEST_P(EmbeddedLightByShading, IrradianceOfTheHostTakesThePlaceOfLights) {
+TEST_F(EmbeddedLight, IrradianceOfTheHostTakesThePlaceOfLights) {
   Scene scene = sphere(0.07);
-  RenderSettings settings = frame_settings(GetParam());
+  RenderSettings settings = frame_settings();
   settings.lighting.specular = false;
   settings.lighting.rig_lights = 0;
   settings.lighting.ambient = 0.5;
   const Pixels wanted = rendered(scene, settings);
 
-  Frame frame({.room = true});
+  Frame frame;
   std::size_t squares = 0;
   constexpr float e = 0.5f * static_cast<float>(std::numbers::pi);
   vulkan::HostInputs inputs;

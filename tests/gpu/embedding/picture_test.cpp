@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Way (i): heads drawn into the colour and depth of a host are those of the renderer's own picture.
 #include <fmt/format.h>
-#include <array>
 
+#include <array>
 #include <set>
 
 #include "frame.h"
@@ -10,44 +10,11 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
 #include "support/thrown.h"
-#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
 
 using Embedding = WithHost;
-
-class EmbeddingBySamples : public WithHost, public testing::WithParamInterface<std::uint32_t> {};
-
-TEST_P(EmbeddingBySamples, EqualsTheRenderersPicture) {
-  Frame frame({.options = {.picture = vulkan::PictureTargets{.samples = GetParam()}}});
-  RenderSettings settings = frame_settings();
-  settings.quality.samples = static_cast<int>(GetParam());
-  const Scene scene = lit_ball();
-  frame.frames->update(scene, settings);
-  frame.draw();
-  EXPECT_LE(largest_difference(frame.colour(), rendered(scene, settings)), target_rounding());
-}
-INSTANTIATE_TEST_SUITE_P(Samples, EmbeddingBySamples, testing::Values(1u, 4u));
-
-// Those that blur light between the pixels of a picture say that they have none.
-TEST_F(Embedding, EveryTechniqueDrawsItsPicture) {
-  const Scene scene = lit_ball();
-  for (const std::string& technique : other_than_published()) {
-    SCOPED_TRACE(technique);
-    Frame frame;
-    RenderSettings settings = frame_settings();
-    settings.technique = technique;
-    if (techniques::find_technique(technique).screen_space) {
-      const std::string said = thrown<InputError>([&] { frame.frames->update(scene, settings); });
-      EXPECT_NE(said.find("PictureTargets::largest"), std::string::npos) << said;
-      continue;
-    }
-    frame.frames->update(scene, settings);
-    frame.draw();
-    EXPECT_LE(largest_difference(frame.colour(), rendered(scene, settings)), target_rounding());
-  }
-}
 
 TEST_F(Embedding, IsNotForThePublishedTechnique) {
   Frame frame;

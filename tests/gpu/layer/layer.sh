@@ -23,6 +23,6 @@ grep -q "Insert instance layer.*$library" "$log" || { echo "$library is not used
 watched vulkan '*'
 watched techniques '*ValidationIsSilent*'
 watched texels 'TexelPicturesOf.MeshesThatTakeTurns:Texels.LeaveOut*'
-watched embedding '*EmbeddedCompute.EveryTechniqueDrawsItsPicture:*HeadsInBatchesEqualTheRenderersPicture'
+watched embedding '*EmbeddedEntries.EveryTechniqueDrawsItsPicture:*HeadsInBatchesEqualTheRenderersPicture'
 watched sessions 'Sessions.AndSoWithLabels:KeptShadows.AreThoseOfFramesThatDrawAll:Labels.OfARowAreItsHeads'
 watched poses 'MovedOnDevice.*:PosedPictures.AreThoseOfTheAssetLoadedInThatPose' poses_on_device

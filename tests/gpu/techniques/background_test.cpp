@@ -6,6 +6,7 @@
 #include <set>
 
 #include "environment/environment.h"
+#include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
@@ -41,16 +42,13 @@ Scene glass() {
   return wrap(std::move(balls));
 }
 
-class Background : public testing::TestWithParam<Shading> {
+// The published technique draws skin where its triangles are, others shade it first.
+class Background : public testing::TestWithParam<std::string> {
  protected:
-  static RenderSettings settings() {
-    RenderSettings s = small_settings();
-    s.quality.shading = GetParam();
-    return s;
-  }
+  static RenderSettings settings() { return small_settings(GetParam()); }
 };
-INSTANTIATE_TEST_SUITE_P(Drawn, Background, testing::Values(Shading::raster, Shading::compute),
-                         [](const auto& p) { return std::string(name_of(p.param)); });
+INSTANTIATE_TEST_SUITE_P(Drawn, Background, testing::Values("texture-space", "published"),
+                         [](const auto& technique) { return test_name_of(technique.param); });
 
 // Of display values, too, whatever becomes of the light.
 TEST_P(Background, AColourIsShownAsItWasGiven) {

@@ -85,13 +85,12 @@ TEST_P(CutOut, WhiteFurnace) {
 }
 
 // Samples that are shaded together: their middle may lie in a gap that is as thin as a pixel.
-TEST(CutOutInCompute, ShowsNothingOfTheGaps) {
+TEST(CutOutSamples, ShowsNothingOfTheGaps) {
   for (const std::string technique : {"texture-space", "lambert"}) {
     SCOPED_TRACE(technique);
     RenderSettings s = settings_of(technique, true);
     s.lighting.ambient = 1, s.lighting.rig_lights = 0, s.lighting.specular = false;
     s.quality.map_size = 96;
-    s.quality.shading = Shading::compute;
     const SkinRange skin = skin_range(renderer().render(striped_sphere(), s));
     EXPECT_GE(skin.low, 0.99f);
     EXPECT_LE(skin.high, 1.005f);

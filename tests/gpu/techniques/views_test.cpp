@@ -35,10 +35,7 @@ image::ImageF averaged(PreparedFrame& frame, RenderSettings s, double d_ref) {
 }
 
 // The published picture.
-RenderSettings published(RenderSettings s) {
-  s.quality.shading = Shading::raster;
-  return unoptimised(s);
-}
+RenderSettings published(RenderSettings s) { return unoptimised(s); }
 
 RenderSettings small_view() {
   RenderSettings s = small_settings("texture-space", 144, 512);

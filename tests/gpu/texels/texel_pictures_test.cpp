@@ -59,7 +59,6 @@ std::vector<Way> ways() {
   return {{"AsIs", [](RenderSettings&) {}},
           {"AtFullSize", [](RenderSettings& s) { s.quality.depth = false; }},
           {"Translucent", [](RenderSettings& s) { s.skin.translucency = true; }},
-          {"ShadedInCompute", [](RenderSettings& s) { s.quality.shading = Shading::compute; }},
           {"ClippedOnly",
            [](RenderSettings& s) {
              s.quality.cull = s.quality.depth = false;

@@ -28,7 +28,6 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
   s.quality.map_size = 777;
   s.camera.heads = 5;
   s.lighting.rig_lights = 3;
-  s.quality.shading = Shading::compute;
 
   for (const Variant& v : variants_of(s)) {
     SCOPED_TRACE(v.key);
@@ -36,17 +35,13 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.camera.heads, 5);
     EXPECT_EQ(v.settings.lighting.rig_lights, 3);
     EXPECT_EQ(v.settings.quality.samples, s.quality.samples);
-    const bool floor = v.key == floor_key || v.key == compute_floor_key;
+    const bool floor = v.key == floor_key;
     const bool beyond = v.key == compute_key || v.key == still_key;
     EXPECT_EQ(v.settings.technique, floor ? "lambert" : beyond ? "texture-space" : "published");
     EXPECT_EQ(v.settings.quality.skip_unseen_heads, v.key != baseline_key);
 
     const bool compute = v.key == compute_key || v.key == still_key,
                all = v.key == optimised_key || v.key == at_edge_key || compute;
-    if (v.settings.technique != "published") {  // which has one way
-      EXPECT_EQ(v.settings.quality.shading,
-                compute || v.key == compute_floor_key ? Shading::compute : Shading::raster);
-    }
     EXPECT_EQ(v.settings.quality.keep_shadows, v.key == still_key);
     EXPECT_EQ(v.settings.quality.cull, all || v.key == "cull");
     EXPECT_EQ(v.settings.quality.depth, all || v.key == "depth");
@@ -54,9 +49,9 @@ TEST(Variants, DifferInNothingButWhatTheyAreFor) {
     EXPECT_EQ(v.settings.quality.clip_margin_mm, v.key == at_edge_key ? std::optional(0.0) : std::nullopt);
   }
 
-  EXPECT_EQ(variants_of(s).size(), 11u);
+  EXPECT_EQ(variants_of(s).size(), 10u);
   s.quality.clip_margin_mm = 0;
-  EXPECT_EQ(variants_of(s).size(), 10u) << "all is at the edge already";
+  EXPECT_EQ(variants_of(s).size(), 9u) << "all is at the edge already";
 }
 
 // Other programs read these; more may be added.

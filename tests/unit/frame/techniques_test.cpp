@@ -231,7 +231,7 @@ TEST(TechniqueFrames, ListTheTilesOnce) {
   s.optimise = {.cull = true, .depth = true, .clip = true};
   passes::FramePlan plan;
   techniques::find_technique("texture-space").build(plan, s);
-  EXPECT_EQ(std::ranges::count(plan.passes(), "clear tiles", &PassNode::name), 1);
+  EXPECT_EQ(std::ranges::count(plan.passes(), "clear light", &PassNode::name), 1);
 }
 
 std::uint64_t texture_bytes(const FrameGraph& plan) {

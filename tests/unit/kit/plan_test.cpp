@@ -32,8 +32,7 @@ TEST(Plan, ChoicesHaveEveryOtherValue) {
   std::set<std::string> values;
   for (const Switch& change : switches(Extent::quick)) values.insert(change.path + " " + change.text);
   for (const char* value :
-       {R"(quality.mask "alpha")", R"(quality.mask "depth")", R"(quality.shading "raster")",
-        R"(quality.shading "compute")", "quality.cull false", "skin.translucency false",
+       {R"(quality.mask "alpha")", R"(quality.mask "depth")", "quality.cull false", "skin.translucency false",
         R"(output.tone_map "linear")", "lighting.rig_lights 5"})
     EXPECT_TRUE(values.contains(value)) << value;
   EXPECT_FALSE(values.contains(R"(lighting.specular true)")) << "the default is drawn once, under ''";

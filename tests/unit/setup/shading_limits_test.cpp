@@ -1,63 +1,54 @@
 // SPDX-License-Identifier: MIT
-// Which frames can be shaded in compute: what ids tell apart, and what the buffers of the entries hold.
+// What ids tell apart, and what the lists of the entries hold.
 #include <gtest/gtest.h>
 
+#include "passes/gpu_scene.h"
+#include "passes/pixel_area.h"
 #include "shared/entries_io.h"
 #include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
 
-techniques::FrameSettings heads_of(std::size_t heads, std::uint32_t draws, std::uint32_t triangles) {
-  techniques::FrameSettings s;
-  s.heads.assign(heads, 0);
-  s.skin.push_back({.triangles = triangles, .draws = draws});
-  s.models = {{.first_mesh = 0, .meshes = 1}};
-  return s;
-}
-
 TEST(ShadingLimits, PartsOfAFrame) {
-  EXPECT_TRUE(heads_of(4095, 1, 12).can_shade_entries());
-  EXPECT_FALSE(heads_of(4096, 1, 12).can_shade_entries());
-  EXPECT_TRUE(heads_of(1365, 3, 12).can_shade_entries());
-  EXPECT_FALSE(heads_of(1366, 3, 12).can_shade_entries());
-}
-
-TEST(ShadingLimits, TrianglesOfAMesh) {
-  EXPECT_TRUE(heads_of(1, 1, 1u << 20).can_shade_entries());
-  EXPECT_FALSE(heads_of(1, 1, (1u << 20) + 1).can_shade_entries());
-}
-
-TEST(ShadingLimits, PixelsOfAPicture) {
-  techniques::FrameSettings s = heads_of(1, 1, 12);
-  s.width = 4096, s.height = 2047;
-  EXPECT_TRUE(s.can_shade_entries());
-  s.height = 2048;
-  EXPECT_FALSE(s.can_shade_entries());
-}
-
-TEST(ShadingLimits, AHostLeavesRoom) {
-  techniques::FrameSettings s = heads_of(1, 1, 12);
-  s.host = techniques::HostPart{.picture = passes::PictureFormat{}};
-  EXPECT_FALSE(s.can_shade_entries());
-  s.host->width = s.host->height = 64;
-  EXPECT_TRUE(s.can_shade_entries());
-  s.host->picture.reset();
-  EXPECT_FALSE(s.can_shade_entries());
-}
-
-TEST(ShadingLimits, WithoutSkinThereIsNothingToShade) {
   techniques::FrameSettings s;
-  EXPECT_FALSE(s.can_shade_entries());
+  EXPECT_FALSE(s.has_skin());
+  s.heads.assign(1000, 0);
+  s.skin.push_back({.parts = 3});
+  s.skin.push_back({.parts = 2});
+  s.models = {{.first_mesh = 0, .meshes = 2}};
+  EXPECT_EQ(s.parts(), 5000u);
+  EXPECT_TRUE(s.has_skin());
 }
 
-// The last id of the last part is not that of the background, and fits.
-TEST(ShadingLimits, IdsFit) {
-  constexpr std::uint64_t last = (std::uint64_t{MOST_PARTS} << ID_TRIANGLE_BITS) + MOST_TRIANGLES - 1;
-  static_assert(last == 0xFFFFFFFFu);
-  static_assert(MOST_PARTS <= 1u << (32 - SAMPLES_BITS));
-  static_assert(MOST_SHADED_PIXELS <= 1u << PIXEL_BITS);
-  constexpr std::uint64_t most_entries = 4 * std::uint64_t{MOST_SHADED_PIXELS};
+TEST(ShadingLimits, PartsOfARunOfTriangles) {
+  const auto parts = [](std::uint32_t triangles) {
+    return passes::GpuDraw{.first_index = 300, .index_count = 3 * triangles}.parts();
+  };
+  EXPECT_EQ(parts(1), 1u);
+  EXPECT_EQ(parts(65536), 1u);
+  EXPECT_EQ(parts(65537), 2u);
+  EXPECT_EQ(parts(1 << 20), 16u);
+}
+
+TEST(ShadingLimits, RowsOfABand) {
+  const passes::PixelArea heads{{3, 10}, {20, 30}};
+  const passes::PixelArea begin = passes::rows_of(heads, 0, 16), end = passes::rows_of(heads, 16, 32);
+  EXPECT_EQ(begin.low, glm::uvec2(3, 10));
+  EXPECT_EQ(begin.high, glm::uvec2(20, 16));
+  EXPECT_EQ(end.low, glm::uvec2(3, 16));
+  EXPECT_EQ(end.high, glm::uvec2(20, 30));
+  EXPECT_EQ(passes::rows_of(heads, 32, 48).size(), glm::uvec2(0));
+  EXPECT_EQ(passes::rows_of({}, 0, 16).size(), glm::uvec2(0));
+}
+
+// The last id of the last part is not that of the background, and fits, as does the longest list of a band.
+TEST(ShadingLimits, IdsAndListsFit) {
+  constexpr std::uint64_t triangles = std::uint64_t{1} << ID_TRIANGLE_BITS;
+  static_assert(MOST_PARTS * triangles + triangles - 1 == 0xFFFFFFFFu);
+  static_assert(MOST_PARTS < 1u << (32 - SAMPLES_BITS));
+  static_assert(MOST_BAND_PIXELS <= 1u << PIXEL_BITS);
+  constexpr std::uint64_t most_entries = 4 * std::uint64_t{MOST_BAND_PIXELS};
   static_assert(MOST_PARTS * sizeof(io::PartRangeIo) + most_entries * sizeof(std::uint32_t) <= 128u << 20);
   SUCCEED();
 }

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "passes/shade/shade_split.h"
+
+#include "frame/resources.h"
+#include "passes/shade/shade_parts.h"
+
+namespace dermis::passes {
+
+ShadeSplit::Out ShadeSplit::declare(frame::Declare& d) {
+  d.kind(frame::PassKind::compute);
+  DERMIS_ASSERT(settings.look.weights.empty());
+  shading_ = SkinShading(settings.look, in.lights);
+  shading_.declare(d);
+  in.entries.declare_shading(d);
+  d.read(in.entries.samples);
+  d.write(in.surface.light);
+  d.write(in.surface.depth_mm);
+  d.write(in.surface.surface);
+  d.write(in.surface.leaving);
+  return {};
+}
+
+void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
+  for (const SkinVariant& variant : shading_.variants()) {
+    gpu::Constants constants{{"environment", settings.look.environment ? 1u : 0u},
+                             {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
+                             {"off_map", variant.off_map ? 1u : 0u},
+                             {"emits", variant.kind.emits ? 1u : 0u},
+                             {"detailed", variant.kind.detailed ? 1u : 0u},
+                             {"multisampled", settings.samples > 1 ? 1u : 0u},
+                             {"light_samples", settings.look.light_samples}};
+    const bool through = shading_.through(variant);
+    if (through) shading_.add_through_constants(constants);
+    pipelines_[variant.index()] =
+        &library.compute(through ? "shade_split_through.comp" : "shade_split.comp", constants);
+  }
+  shading_.prepare(library);
+
+  const auto& [r, g, b] = settings.blurred;
+  const io::SplitIo split{
+      .blurred = {r, g, b},
+      .mm_per_unit = static_cast<float>(settings.mm_per_unit),
+      .mesh = static_cast<float>(static_cast<int>(settings.look.square.mesh) - SURFACE_MESH_MIDDLE),
+      .head = settings.look.square.instance,
+      .first_part = settings.first_part_of_head,
+      .end_part = settings.end_part_of_head};
+  split_ = gpu::make_buffer(library.device(), "split skin", std::span<const io::SplitIo>(&split, 1),
+                            VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+}
+
+void ShadeSplit::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  Bindings bindings;
+  bindings.add("Split", split_)
+      .add("samples_of_pixels", resources.storage(in.entries.samples))
+      .add("light_of_skin", resources.storage(in.surface.light))
+      .add("depth_of_skin", resources.storage(in.surface.depth_mm))
+      .add("surface_of_skin", resources.storage(in.surface.surface))
+      .add("leaving_skin", resources.storage(in.surface.leaving));
+  shade_parts(cmd, resources, frame, {settings.look.square, settings.first_part}, in.entries, shading_,
+              pipelines_, bindings);
+}
+
+}  // namespace dermis::passes
