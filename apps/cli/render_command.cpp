@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/help.h"
+#include "cli/label_files.h"
 #include "cli/output.h"
 #include "cli/picture_hints.h"
 #include "cli/progress.h"
@@ -15,7 +17,7 @@ namespace dermis::cli {
 namespace {
 
 struct RenderArguments : SceneArguments {
-  std::string output, stats;
+  std::string output, labels, stats;
   DeviceArguments on;
 };
 
@@ -38,6 +40,12 @@ std::string summary(const Statistics& s) {
 void check_outputs(const RenderArguments& a) {
   check_picture_name(a.output);
   check_scene_output(a, {a.output, a.stats});
+  if (!a.labels.empty()) {
+    labels_of(a.labels, ending_of(a.output));
+    check_writable(label_sheet(a.output));
+    if (!a.stats.empty() && same_file(a.stats, label_sheet(a.output)))
+      throw input_error(a.stats, "is also the name of what --labels writes; --stats needs a file of its own");
+  }
   if (a.stats.empty() || a.stats == "-") return;
   check_writable(a.stats);
   if (same_file(a.stats, a.output))
@@ -73,7 +81,12 @@ void render(const RenderArguments& a, int& exit_status) {
     return;
   }
 
-  picture.save(a.output);
+  std::vector<PendingFile> files;
+  if (!a.labels.empty())
+    files =
+        label_files(renderer, scene, a.settings, picture, labels_of(a.labels, ending_of(a.output)), a.output);
+  if (a.labels.empty() || ending_of(a.output) == ".png") picture.save(a.output);
+  for (const PendingFile& file : files) write_file(file.path, file.bytes);
   if (a.settings.output.show == OutputSettings().show)
     hint_at_picture(picture, ending_of(a.output) == ".png");
   save_settings(a);
@@ -93,6 +106,13 @@ void add_render_command(CLI::App& app, int& exit_status) {
                    "picture to write: .png (display values) or .exr (linear)")
       ->type_name("FILE")
       ->required();
+  rare(command
+           ->add_option(
+               "--labels", arguments->labels,
+               "what each pixel shows, beside the picture, with a .json: a list of instance, material, "
+               "depth, normal, uv, region, skin_mesh, unwrap, thickness, matte, or all; layers of an "
+               ".exr, or a 16-bit PNG each")
+           ->type_name("NAME,..."));
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output")
       ->type_name("FILE");
   add_device_arguments(*command, arguments->on);

@@ -124,7 +124,7 @@ const std::vector<Invariant>& all_invariants() {
       {"soft shadows are as computed", "SoftShadow.*:SoftScan.*", false},
       {"instances", "Instances.*:Nodes.*:MemoryOfHeads.*", false},
       {"sessions are steady and draw the same", "Sessions.*:ScanSessions.*", false},
-      {"labels", "Labels.*:ScanLabels.*", false},
+      {"labels", "Labels.*:ScanLabels.*:Outputs.*", false},
       {"what stands behind the heads", "*/Background.*:Backgrounds.*", false},
       {"skin is shaded as its ids say", "*/Shading.*:Shading*.*", false},
       {"texels lit in compute are those that are drawn", "Texels.*:*TexelPictures*.*", false},

@@ -80,7 +80,7 @@ Json orbit(Renderer& renderer, const Asset& head, int instances, int frames) {
     s.camera.eye_m = {distance_m * std::sin(angle), 0, distance_m * std::cos(angle)};
     const Ticket ticket = session.draw(scene, s);
     const auto submitted = Clock::now();
-    session.picture(ticket);
+    session.results(ticket);
     const auto done = Clock::now();
     if (i < 3) continue;
     host_ms.push_back(std::chrono::duration<double, std::milli>(submitted - start).count());

@@ -92,6 +92,10 @@ struct Statistics {
   RecordedWork recorded;              ///< of the last frame, that of `passes` if it was timed
   std::uint64_t light_map_bytes = 0;  ///< of the light maps that heads of a batch share, of all sizes
 
+  /// Of a frame of a session: what was copied from the device to memory of the host, and from there to the
+  /// caller, bytes.
+  std::uint64_t read_back_bytes = 0, copied_bytes = 0;
+
   /// Device memory of the whole renderer: textures now, buffers now, the largest sum of both so far.
   std::uint64_t image_bytes = 0, buffer_bytes = 0, peak_bytes = 0;
 
@@ -119,6 +123,18 @@ namespace vulkan {
 struct Host;  // dermis/vulkan.h
 class HostFrames;
 }  // namespace vulkan
+
+/// A device that Vulkan offers.
+struct DeviceInfo {
+  std::string name, driver;
+  std::string type;                ///< discrete, integrated, virtual, software, other
+  std::string api;                 ///< version of Vulkan, "1.3.230"
+  std::uint64_t memory_bytes = 0;  ///< its largest heap of its own
+  /// What dermis needs and the device has not, a sentence each; empty: Renderer can use it.
+  std::vector<std::string> missing;
+};
+/// Returns all devices, best first, as Renderer::Options::device numbers them. Empty without a driver.
+std::vector<DeviceInfo> list_devices();
 
 /// What a renderer has asked its device for so far. A steady frame of a session adds one submission.
 struct DeviceCounters {

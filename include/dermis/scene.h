@@ -127,6 +127,12 @@ class Scene {
   /// set_pose() with one clip.
   void pose(InstanceId id, const std::string& clip, double seconds);
 
+  /// Returns where these vertices stand, posed, metres in the world. A mesh and its vertices have the numbers
+  /// that their source has (dermis/asset.h). Throws InputError: no such mesh, a vertex that no triangle uses,
+  /// a mesh that stands at several nodes.
+  std::vector<std::array<double, 3>> positions_m(InstanceId id, int mesh,
+                                                 std::span<const std::uint32_t> vertices) const;
+
   LightId add_light(const SceneLight& light);
   void remove_light(LightId id);
   std::vector<LightId> lights() const;

@@ -7,6 +7,8 @@
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "setup/camera_matrices.h"
+#include "techniques/lambert/lambert.h"
+#include "techniques/screen.h"
 
 namespace dermis::api {
 namespace {
@@ -31,8 +33,13 @@ void warn_coarse_once(const SceneOnDevice& scene, const setup::FrameSetup& setup
 
 }  // namespace
 
-bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
+bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
                        const std::optional<setup::HostSetup>& host) {
+  RenderSettings settings = asked;
+  if (!options_.picture) {  // no light maps, and none of what skin sees
+    setup::check_settings(asked);
+    settings.technique = techniques::lambert.name;
+  }
   const gpu::DeviceLimits& limits = device().limits();
   setup::check_settings(settings);
   check_device_limits(settings, limits);
@@ -43,7 +50,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& settings,
               .environment_lights = {},
               .host = host};
   const std::shared_ptr<const setup::EnvironmentLight> next_environment =
-      renderer_->environment_light(scene, settings);
+      options_.picture ? renderer_->environment_light(scene, settings) : nullptr;
   if (next_environment)
     input.environment_lights = setup::environment_lights(next_environment->sources, settings);
 
@@ -92,7 +99,12 @@ setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings&
   setup::FrameSetup setup =
       setup::set_up(input.placed, input.subjects, settings, traits, input.environment_lights,
                     input.host ? &*input.host : nullptr, options_.all_views);
+  setup.plan.picture = options_.picture;
+  setup.plan.display = options_.display;
+  setup.plan.linear = options_.linear;
+  setup.plan.matte = options_.matte;
   setup.plan.labels = options_.labels;
+  if (!options_.picture) setup.technique = &techniques::labels_alone;
   return setup;
 }
 
@@ -140,7 +152,7 @@ passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
   shadow_versions_.fill(setup_, scene_, input_.placed, input_.host ? &*input_.host : nullptr, data);
   data.kept_shadows = &kept_shadows_;
   data.kept_texels = &kept_texels_;
-  if (options_.labels) motion_.fill(memory, setup_, input_.placed, ids_, data);
+  if (options_.labels != 0) motion_.fill(memory, setup_, input_.placed, ids_, data);
   return data;
 }
 

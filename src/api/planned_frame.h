@@ -34,7 +34,9 @@ class PlannedFrame {
     /// A plan brings what it needs for every camera with it, light maps of every size for instance, so that a
     /// head may come nearer without an upload.
     bool all_views = false;
-    bool labels = false;  ///< plans have techniques::FrameSettings::labels
+    /// Members of techniques::FrameSettings.
+    bool picture = true, display = true, linear = false, matte = false;
+    std::uint32_t labels = 0;
   };
 
   explicit PlannedFrame(std::shared_ptr<Renderer::State> renderer) : PlannedFrame(std::move(renderer), {}) {}
@@ -79,6 +81,7 @@ class PlannedFrame {
 
   gpu::Device& device() const { return renderer_->device; }
   Renderer::State& renderer() const { return *renderer_; }
+  const std::shared_ptr<Renderer::State>& shared_renderer() const { return renderer_; }
   frame::Executor<passes::FrameData>& executor() { return *executor_; }
   const techniques::FrameOutputs& outputs() const { return outputs_; }
   const setup::FrameSetup& setup() const { return setup_; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "api/memory.h"
+#include "api/readbacks.h"
 #include "api/scene_on_device.h"
 #include "core/hooks.h"
 #include "dermis/renderer.h"
@@ -41,6 +42,7 @@ struct Renderer::State {
   Options options;
   gpu::Device device;
   gpu::PipelineLibrary library;
+  api::Readbacks readbacks;
   std::vector<api::AssetPointer> last_assets;                ///< of the last scene, each once
   std::vector<std::weak_ptr<api::SharedAsset>> live_assets;  ///< those and what other frames hold
   std::shared_ptr<const setup::EnvironmentLight> last_environment;

@@ -13,7 +13,7 @@
 #include "core/hooks.h"
 #include "core/warnings.h"
 #include "environment/body_shape.h"
-#include "passes/labels/labels_io.h"
+#include "passes/labels/labels.h"
 #include "regions/parts.h"
 
 namespace dermis::api {
@@ -174,7 +174,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
   for (const AssetPointer& asset : different_assets()) {
     upload_asset(library, *asset);
     if (environment) add_bent_normals(device, *asset);
-    if (setup.plan.labels) add_label_vertices(device, *asset);
+    if (passes::Labels::needs_body(setup.plan.labels)) add_label_vertices(device, *asset);
     if (setup.technique->curvature) add_welded(device, *asset);
   }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dermis/session.h"
 
-#include <algorithm>
+#include <atomic>
 #include <utility>
 #include <vector>
 
-#include "api/labels.h"
 #include "api/output.h"
+#include "api/outputs.h"
 #include "api/planned_frame.h"
 #include "core/error.h"
 #include "gpu/frame_memory.h"
@@ -20,8 +20,8 @@ struct Slot {
   Slot(gpu::Device& device, std::size_t number) : memory(device, fmt::format("frame {}", number)) {}
 
   gpu::FrameMemory memory;
-  // Read back; empty until a frame needs them.
-  gpu::Buffer picture, display, counters, label_surface, label_names, label_motion, label_body;
+  std::shared_ptr<api::Readback> readback;  // null until a frame needs it
+  gpu::Buffer counters;                     // read back; empty until a frame needs it
   RenderSettings settings;
   setup::FrameSetup setup;
   api::SceneOnDevice scene;
@@ -31,14 +31,10 @@ struct Slot {
   std::uint64_t serial = 0;  // of its submission
 };
 
-void make_readback(gpu::Device& device, gpu::Buffer& buffer, const char* name, std::uint64_t bytes) {
-  if (buffer && buffer.desc().bytes == bytes) return;
-  buffer = gpu::Buffer(device, name, {.bytes = bytes, .place = gpu::BufferPlace::readback});
-}
-
 void check_options(const Session::Options& options) {
   if (options.frames_in_flight < 1 || options.frames_in_flight > 3)
     throw input_error("", "frames_in_flight must be 1 to 3, got {}", options.frames_in_flight);
+  if (options.wanted == Outputs{}) throw input_error("", "a session must want at least one output");
 }
 
 void check_request(const RenderSettings& settings, std::span<const View> views) {
@@ -55,7 +51,13 @@ void check_request(const RenderSettings& settings, std::span<const View> views) 
 
 struct Session::State {
   State(std::shared_ptr<Renderer::State> renderer, const Options& wanted)
-      : options(wanted), frame(std::move(renderer), {.all_views = true, .labels = wanted.labels}) {
+      : options(wanted),
+        frame(std::move(renderer), {.all_views = true,
+                                    .picture = wanted.wanted.has_any(Outputs::lit()),
+                                    .display = wanted.wanted.has(Output::display),
+                                    .linear = wanted.wanted.has(Output::linear),
+                                    .matte = wanted.wanted.has(Output::matte),
+                                    .labels = api::label_bits(wanted.wanted)}) {
     for (int i = 0; i < options.frames_in_flight; ++i)
       slots.push_back(std::make_unique<Slot>(frame.device(), slots.size()));
   }
@@ -69,8 +71,10 @@ struct Session::State {
   void draw(const Scene& scene, const RenderSettings& settings);
   void record(VkCommandBuffer commands, Slot& slot, const passes::FrameData& data);
   const Slot& slot_of(Ticket ticket) const;
+  void offer_readback(Slot& slot);
+  Results results(const Slot& slot) const;
+  Statistics statistics(const Slot& slot) const;
   Picture picture(const Slot& slot) const;
-  Labels labels(const Slot& slot) const;
 };
 
 void Session::State::draw(const Scene& scene, const RenderSettings& settings) {
@@ -102,38 +106,48 @@ void Session::State::draw(const Scene& scene, const RenderSettings& settings) {
   slot.ticket = ++last_ticket;
 }
 
+// Memory for the results, unless what the slot has is free again.
+void Session::State::offer_readback(Slot& slot) {
+  const auto pixels = static_cast<std::uint64_t>(slot.settings.output.width) *
+                      static_cast<std::uint64_t>(slot.settings.output.height);
+  const api::ReadbackSizes sizes = api::readback_sizes(options.wanted, pixels);
+  if (slot.readback && slot.readback.use_count() == 1 && slot.readback->sizes == sizes) {
+    std::atomic_thread_fence(std::memory_order_acquire);  // after whoever has released it
+    return;
+  }
+
+  slot.readback.reset();
+  Renderer::State& renderer = frame.renderer();
+  slot.readback = {renderer.readbacks.take(frame.device(), sizes).release(),
+                   [keeps = frame.shared_renderer()](api::Readback* readback) {
+                     keeps->readbacks.give(std::unique_ptr<api::Readback>(readback));
+                   }};
+}
+
 void Session::State::record(VkCommandBuffer commands, Slot& slot, const passes::FrameData& data) {
   gpu::Device& device = frame.device();
   const techniques::FrameOutputs& outputs = frame.outputs();
   const frame::Resources& resources = frame.executor().resources();
-  const auto pixels = std::uint64_t(slot.settings.output.width) * std::uint64_t(slot.settings.output.height);
-  make_readback(device, slot.picture, "picture to read", 8 * pixels);
-  make_readback(device, slot.display, "display values to read", 4 * pixels);
+  offer_readback(slot);
 
   slot.memory.record(commands);
   slot.recorded = frame.count(
       [&] { frame.executor().record(commands, data, {.changed = true, .statistics = options.statistics}); });
 
-  const auto copy = [&](frame::TextureId id, const gpu::Buffer& to) {
-    gpu::record_read_back(device, commands, resources.texture(id), frame.executor().layout_of(id), to);
-  };
-  copy(outputs.picture, slot.picture);
-  copy(outputs.display, slot.display);
-  if (options.labels) {
-    make_readback(device, slot.label_surface, "label surfaces to read", 16 * pixels);
-    make_readback(device, slot.label_names, "label names to read", 16 * pixels);
-    copy(outputs.label_surface, slot.label_surface);
-    copy(outputs.label_names, slot.label_names);
-    make_readback(device, slot.label_motion, "label motions to read", 8 * pixels);
-    copy(outputs.label_motion, slot.label_motion);
-    make_readback(device, slot.label_body, "label bodies to read", 16 * pixels);
-    copy(outputs.label_body, slot.label_body);
-  }
+  const api::Readback& to = *slot.readback;
+  if (to.display)
+    gpu::record_read_back(device, commands, resources.texture(outputs.display),
+                          frame.executor().layout_of(outputs.display), to.display);
+  if (to.linear) gpu::record_read_back(device, commands, resources.buffer(outputs.linear), to.linear);
+  if (to.matte) gpu::record_read_back(device, commands, resources.buffer(outputs.matte), to.matte);
+  if (to.labels) gpu::record_read_back(device, commands, resources.buffer(outputs.labels), to.labels);
 
   const gpu::Buffer& counters = resources.buffer(outputs.counters);
   slot.counter_bytes = counters.desc().bytes;
   if (!options.statistics) return;
-  make_readback(device, slot.counters, "counters to read", counters.desc().bytes);
+  if (!slot.counters || slot.counters.desc().bytes != slot.counter_bytes)
+    slot.counters = gpu::Buffer(device, "counters to read",
+                                {.bytes = slot.counter_bytes, .place = gpu::BufferPlace::readback});
   gpu::record_read_back(device, commands, counters, slot.counters);
 }
 
@@ -144,30 +158,44 @@ const Slot& Session::State::slot_of(Ticket ticket) const {
   throw input_error("", "ticket {} is not of the last {} frames of this session", number, slots.size());
 }
 
-Picture Session::State::picture(const Slot& slot) const {
+Results Session::State::results(const Slot& slot) const {
+  frame.device().wait(slot.serial);
+  return api::results_of(options.wanted, slot.settings.output.width, slot.settings.output.height,
+                         slot.readback);
+}
+
+Statistics Session::State::statistics(const Slot& slot) const {
   gpu::Device& device = frame.device();
   device.wait(slot.serial);
 
-  Picture picture;
-  api::fill_picture(picture, slot.settings, slot.picture.mapped(), slot.display.mapped());
+  Statistics statistics;
   // Not counted: zero.
   std::vector<std::byte> counters(slot.counter_bytes);
   if (options.statistics) {
     const std::span<const std::byte> counted = slot.counters.mapped();
     counters.assign(counted.begin(), counted.end());
   }
-  api::fill_counts(picture.statistics, slot.scene.subjects(), slot.settings, slot.setup, counters);
-  api::fill_recorded(picture.statistics, slot.recorded);
-  api::fill_device(picture.statistics, device);
-  picture.statistics.exposure_ev = *slot.settings.output.exposure_ev;
-  return picture;
+  api::fill_counts(statistics, slot.scene.subjects(), slot.settings, slot.setup, counters);
+  api::fill_recorded(statistics, slot.recorded);
+  api::fill_device(statistics, device);
+  statistics.exposure_ev = *slot.settings.output.exposure_ev;
+  const api::ReadbackSizes& sizes = slot.readback->sizes;
+  statistics.read_back_bytes = sizes.display + sizes.linear + sizes.matte + sizes.labels;
+  if (options.statistics) statistics.read_back_bytes += slot.counter_bytes;
+  return statistics;
 }
 
-Labels Session::State::labels(const Slot& slot) const {
-  if (!options.labels) throw input_error("", "this session draws no labels: its Options do not ask for them");
-  frame.device().wait(slot.serial);
-  return api::labels_of(slot.settings.output.width, slot.settings.output.height, slot.label_surface.mapped(),
-                        slot.label_names.mapped(), slot.label_motion.mapped(), slot.label_body.mapped());
+Picture Session::State::picture(const Slot& slot) const {
+  if (!options.wanted.has_all(Outputs::picture()))
+    throw input_error("", "a copy of the picture needs a session that wants display and linear");
+  const Results found = results(slot);
+  Picture picture{.width = found.width,
+                  .height = found.height,
+                  .linear_rgba = {found.linear.begin(), found.linear.end()},
+                  .display_rgba = {found.display.begin(), found.display.end()},
+                  .statistics = statistics(slot)};
+  picture.statistics.copied_bytes = found.linear.size_bytes() + found.display.size_bytes();
+  return picture;
 }
 
 Session::Session(const Renderer& renderer, const Options& options) {
@@ -199,14 +227,10 @@ bool Session::is_ready(Ticket ticket) const {
   return state_->frame.device().has_completed(state_->slot_of(ticket).serial);
 }
 
-Picture Session::picture(Ticket ticket) const {
-  const Slot& slot = state_->slot_of(ticket);
-  return state_->picture(slot);
-}
+Results Session::results(Ticket ticket) const { return state_->results(state_->slot_of(ticket)); }
 
-Labels Session::labels(Ticket ticket) const {
-  const Slot& slot = state_->slot_of(ticket);
-  return state_->labels(slot);
-}
+Statistics Session::statistics(Ticket ticket) const { return state_->statistics(state_->slot_of(ticket)); }
+
+Picture Session::picture(Ticket ticket) const { return state_->picture(state_->slot_of(ticket)); }
 
 }  // namespace dermis

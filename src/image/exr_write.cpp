@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "image/colour.h"
 #include "image/formats.h"
+#include "image/layers.h"
 
 namespace dermis::image::formats {
 
@@ -64,18 +65,12 @@ void write(MemoryOutput& stream, const ImageF& picture, Imf::PixelType type, con
   file.writePixels(picture.height);
 }
 
-}  // namespace
-
-std::vector<std::byte> encode_exr(const ImageF& picture, bool half_float, const std::string& where) {
+// What the library says becomes an error that names the file.
+template <class Write>
+std::vector<std::byte> encoded(const std::string& where, const Write& write) {
   MemoryOutput stream;
   try {
-    if (half_float) {
-      std::vector<std::uint16_t> halves(picture.values.size());
-      std::transform(picture.values.begin(), picture.values.end(), halves.begin(), finite_half);
-      write(stream, picture, Imf::HALF, halves.data(), sizeof(std::uint16_t));
-    } else {
-      write(stream, picture, Imf::FLOAT, picture.values.data(), sizeof(float));
-    }
+    write(stream);
   } catch (const InternalError&) { throw; } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -84,4 +79,42 @@ std::vector<std::byte> encode_exr(const ImageF& picture, bool half_float, const 
   return stream.take();
 }
 
+}  // namespace
+
+std::vector<std::byte> encode_exr(const ImageF& picture, bool half_float, const std::string& where) {
+  return encoded(where, [&](MemoryOutput& stream) {
+    if (half_float) {
+      std::vector<std::uint16_t> halves(picture.values.size());
+      std::transform(picture.values.begin(), picture.values.end(), halves.begin(), finite_half);
+      write(stream, picture, Imf::HALF, halves.data(), sizeof(std::uint16_t));
+    } else {
+      write(stream, picture, Imf::FLOAT, picture.values.data(), sizeof(float));
+    }
+  });
+}
+
 }  // namespace dermis::image::formats
+
+namespace dermis::image {
+
+std::vector<std::byte> encode_layers(int width, int height, std::span<const LayerChannel> channels,
+                                     const std::string& where) {
+  return formats::encoded(where, [&](formats::MemoryOutput& stream) {
+    Imf::Header header(width, height, 1, Imath::V2f(0, 0), 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+    Imf::addChromaticities(header, Imf::Chromaticities());
+    Imf::FrameBuffer source;
+    for (const LayerChannel& channel : channels) {
+      const Imf::PixelType type = channel.whole ? Imf::UINT : Imf::FLOAT;
+      header.channels().insert(channel.name, Imf::Channel(type));
+      // The library uses one type for reading and writing; here it only reads.
+      char* first = reinterpret_cast<char*>(const_cast<std::byte*>(channel.first));
+      source.insert(channel.name, Imf::Slice(type, first, channel.pixel_bytes,
+                                             channel.pixel_bytes * static_cast<std::size_t>(width)));
+    }
+    Imf::OutputFile file(stream, header, 0);
+    file.setFrameBuffer(source);
+    file.writePixels(height);
+  });
+}
+
+}  // namespace dermis::image

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "image/formats.h"
+#include "image/layers.h"
 
 namespace dermis::image::formats {
 
@@ -138,9 +139,31 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
   return picture.take();
 }
 
-std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where) {
+namespace {
+
+// Pixels as `header` says, those of 16 bits in the order of this machine.
+std::vector<std::byte> encoded(spng_ihdr header, const void* pixels, std::size_t bytes, bool srgb,
+                               const std::string& where) {
   const Context context(spng_ctx_new(SPNG_CTX_ENCODER));
   if (!context) throw std::bad_alloc();
+  int result = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
+  if (result == SPNG_OK) result = spng_set_ihdr(context.get(), &header);
+  constexpr std::uint8_t perceptual = 0;  // the intent with which a display with other primaries shows it
+  if (result == SPNG_OK && srgb) result = spng_set_srgb(context.get(), perceptual);
+  if (result == SPNG_OK)
+    result = spng_encode_image(context.get(), pixels, bytes, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+  std::size_t size = 0;
+  const std::unique_ptr<void, decltype(&std::free)> file(
+      result == SPNG_OK ? spng_get_png_buffer(context.get(), &size, &result) : nullptr, &std::free);
+  if (!file) throw input_error(where, "cannot be encoded as PNG: {}", spng_strerror(result));
+  std::vector<std::byte> out(size);
+  std::memcpy(out.data(), file.get(), size);
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where) {
   std::vector<std::uint8_t> rgb;
   if (!keep_alpha) {
     rgb.reserve(picture.rgba.size() / 4 * 3);
@@ -154,20 +177,21 @@ std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const 
   header.height = static_cast<std::uint32_t>(picture.height);
   header.bit_depth = 8;
   header.color_type = keep_alpha ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
-  int result = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
-  if (result == SPNG_OK) result = spng_set_ihdr(context.get(), &header);
-  constexpr std::uint8_t perceptual = 0;  // the intent with which a display with other primaries shows it
-  if (result == SPNG_OK) result = spng_set_srgb(context.get(), perceptual);
-  if (result == SPNG_OK)
-    result =
-        spng_encode_image(context.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-  std::size_t size = 0;
-  const std::unique_ptr<void, decltype(&std::free)> file(
-      result == SPNG_OK ? spng_get_png_buffer(context.get(), &size, &result) : nullptr, &std::free);
-  if (!file) throw input_error(where, "cannot be encoded as PNG: {}", spng_strerror(result));
-  std::vector<std::byte> bytes(size);
-  std::memcpy(bytes.data(), file.get(), size);
-  return bytes;
+  return encoded(header, pixels.data(), pixels.size(), true, where);
 }
 
 }  // namespace dermis::image::formats
+
+namespace dermis::image {
+
+std::vector<std::byte> encode_png16(int width, int height, int channels,
+                                    std::span<const std::uint16_t> values, const std::string& where) {
+  spng_ihdr header{};
+  header.width = static_cast<std::uint32_t>(width);
+  header.height = static_cast<std::uint32_t>(height);
+  header.bit_depth = 16;
+  header.color_type = channels == 3 ? SPNG_COLOR_TYPE_TRUECOLOR : SPNG_COLOR_TYPE_GRAYSCALE;
+  return formats::encoded(header, values.data(), values.size_bytes(), false, where);
+}
+
+}  // namespace dermis::image

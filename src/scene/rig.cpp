@@ -179,6 +179,18 @@ void take_pose(const Rig& rig, const PosedRig& pose, Scene& scene) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) stand_at(pose.lights[i], scene.lights[i]);
 }
 
+glm::dvec3 posed_position_m(const Scene& scene, const PosedRig& pose, std::size_t primitive,
+                            std::size_t vertex) {
+  const RigMesh& mesh = scene.rig->meshes[primitive];
+  Vertex v = scene.primitives[primitive].vertices[vertex];
+  if (mesh.placed.empty()) {
+    move_vertex(mesh, pose, vertex, v);
+    return v.position_m;
+  }
+  const glm::dmat4& matrix = pose.matrices[mesh.placed.front()];
+  return matrix * glm::dvec4(glm::dvec3(v.position_m) + mesh.middle, 1);
+}
+
 // A vertex is a mean of the places that the matrices move it to, so it lies within what holds all of these.
 std::vector<glm::vec3> posed_corners(const Rig& rig, const PosedRig& pose) {
   std::vector<glm::vec3> corners;

@@ -107,6 +107,11 @@ PosedRig posed(const Rig& rig, const Pose& pose, const std::string& file);
 /// colours, handedness and winding stay.
 void take_pose(const Rig& rig, const PosedRig& pose, Scene& scene);
 
+/// Returns where a vertex of the scene that the rig belongs to stands in a pose, m. Of a primitive with
+/// placements: at the first one.
+glm::dvec3 posed_position_m(const Scene& scene, const PosedRig& pose, std::size_t primitive,
+                            std::size_t vertex);
+
 /// Returns a box and a sphere that hold all vertices of the skin in a pose, or of everything (`all`); not the
 /// smallest. Does not read vertices. Nothing: a radius of 0.
 Bounds posed_bounds(const Rig& rig, const PosedRig& pose, bool all);

@@ -171,7 +171,19 @@ ordered_json json_of(const SpectralSkin& skin) { return object_of(skin); }
 ordered_json json_of(const Instance& instance) { return object_of(instance); }
 ordered_json json_of(const Light& light) { return object_of(light); }
 
+void read_json(const json::Value& object, const Keys& others, RenderSettings& into) {
+  read_object_with(object, others, into);
+}
 void read_json(const json::Value& object, const Keys& others, SceneOptions& into) {
+  read_object_with(object, others, into);
+}
+void read_json(const json::Value& object, const Keys& others, ReferenceSettings& into) {
+  read_object_with(object, others, into);
+}
+void read_json(const json::Value& object, const Keys& others, ProfileOptions& into) {
+  read_object_with(object, others, into);
+}
+void read_json(const json::Value& object, const Keys& others, SpectralSkin& into) {
   read_object_with(object, others, into);
 }
 void read_json(const json::Value& object, const Keys& others, Instance& into) {

@@ -40,7 +40,11 @@ std::string to_json(const SettingsFile& settings);
 // Read an object; what it does not name stays as it is. InputError: a key that is neither of a row nor among
 // `others` (lists those that are known), another type, an option out of its range.
 using Keys = std::vector<std::string_view>;
+void read_json(const json::Value& object, const Keys& others, RenderSettings& into);
 void read_json(const json::Value& object, const Keys& others, SceneOptions& into);
+void read_json(const json::Value& object, const Keys& others, ReferenceSettings& into);
+void read_json(const json::Value& object, const Keys& others, ProfileOptions& into);
+void read_json(const json::Value& object, const Keys& others, SpectralSkin& into);
 void read_json(const json::Value& object, const Keys& others, Instance& into);
 void read_json(const json::Value& object, const Keys& others, Light& into);
 

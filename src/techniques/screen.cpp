@@ -12,8 +12,11 @@
 #include "passes/compose_entries/compose_entries.h"
 #include "passes/count/count.h"
 #include "passes/ids/ids.h"
+#include "passes/labels/label_planes.h"
 #include "passes/labels/labels.h"
+#include "passes/light_floats/light_floats.h"
 #include "passes/move_rig/move_rig.h"
+#include "passes/open_share/matte.h"
 #include "passes/open_share/open_share.h"
 #include "passes/resolve/resolve.h"
 #include "passes/shade/shade.h"
@@ -56,30 +59,34 @@ Screen::Screen(passes::FramePlan& plan, const FrameSettings& settings, std::size
   if (settings.draws_picture())
     depth_ = plan.texture("depth", target(settings.picture_format().depth), lifetime);
   cleared_ = settings.host.has_value();
-
-  gpu::TextureDesc shadow{.width = settings.shadow_size,
-                          .height = settings.shadow_size,
-                          .layers = std::max(settings.shadow_layers, 1u) * settings.shadow_sets(),
-                          .format = VK_FORMAT_D32_SFLOAT,
-                          .array = true};
-  const auto lasts = settings.keep_shadows ? frame::Lifetime::persistent : frame::Lifetime::transient;
-  shadow_ = plan.texture("shadow maps", shadow, lasts);
-
-  // A host's shadow map leaves no depth to draw against; where all light enters its depth alone has to say
-  // whether a surface is the first one.
-  const bool of_host = settings.host && settings.host->shadows;
-  if (settings.translucency && !(of_host && settings.all_enters)) {
-    gpu::TextureDesc entering = shadow;
-    if (of_host) entering_depth_ = plan.texture("entering depths", entering);
-    entering.format = settings.all_enters ? passes::facing_format : passes::entering_format;
-    entering.grey_alpha = settings.all_enters;
-    entering_ = plan.texture("entering maps", entering, lasts);
-  }
+  if (settings.picture) make_shadow_maps();
 
   counters_ = plan.buffer("counters", {.bytes = counters * sizeof(std::uint32_t)});
   plan.add<passes::ClearBuffers>("clear counters", {{counters_}}, {frame::Runs::for_statistics});
   if (settings.poses) plan.add<passes::MoveRig>("pose", {}, {});
-  if (settings.poses && settings.environment) plan.add<passes::TurnSky>("turn sky", {}, {});
+  if (settings.poses && settings.environment && settings.picture)
+    plan.add<passes::TurnSky>("turn sky", {}, {});
+}
+
+void Screen::make_shadow_maps() {
+  gpu::TextureDesc shadow{.width = settings_.shadow_size,
+                          .height = settings_.shadow_size,
+                          .layers = std::max(settings_.shadow_layers, 1u) * settings_.shadow_sets(),
+                          .format = VK_FORMAT_D32_SFLOAT,
+                          .array = true};
+  const auto lasts = settings_.keep_shadows ? frame::Lifetime::persistent : frame::Lifetime::transient;
+  shadow_ = plan_->texture("shadow maps", shadow, lasts);
+
+  // A host's shadow map leaves no depth to draw against; where all light enters its depth alone has to say
+  // whether a surface is the first one.
+  const bool of_host = settings_.host && settings_.host->shadows;
+  if (settings_.translucency && !(of_host && settings_.all_enters)) {
+    gpu::TextureDesc entering = shadow;
+    if (of_host) entering_depth_ = plan_->texture("entering depths", entering);
+    entering.format = settings_.all_enters ? passes::facing_format : passes::entering_format;
+    entering.grey_alpha = settings_.all_enters;
+    entering_ = plan_->texture("entering maps", entering, lasts);
+  }
 }
 
 gpu::TextureDesc Screen::target(VkFormat format) const {
@@ -293,7 +300,8 @@ void Screen::add_blended(const Batch& batch) {
                                     .blended = true};
   plan_->add<passes::Surface>(label("blended surfaces", settings_, batch), {shadow_, colour(), depth_},
                               blended);
-  if (settings_.behind.kind == passes::Behind::Kind::black || shaded()) return;
+  const bool black = settings_.behind.kind == passes::Behind::Kind::black;
+  if ((black && !settings_.matte) || shaded()) return;
 
   // Alpha of the picture marks skin: what is hidden needs a target of its own.
   blended.clear = !cover_.valid();
@@ -310,16 +318,13 @@ std::vector<frame::TextureId> Screen::shadow_maps() const {
 }
 
 void Screen::add_labels(FrameOutputs& out) {
-  const passes::Labels::Out labels =
-      plan_->add<passes::Labels>("labels", {}, {.width = settings_.width, .height = settings_.height});
-  out.label_surface = labels.surface;
-  out.label_names = labels.names;
-  out.label_motion = labels.motion;
-  out.label_body = labels.body;
-  plan_->read_back(out.label_motion);
-  plan_->read_back(out.label_surface);
-  plan_->read_back(out.label_names);
-  plan_->read_back(out.label_body);
+  const passes::Labels::Out labels = plan_->add<passes::Labels>(
+      "labels", {}, {.width = settings_.width, .height = settings_.height, .labels = settings_.labels});
+  out.labels = plan_
+                   ->add<passes::LabelPlanes>(
+                       "label planes", {labels.words},
+                       {.width = settings_.width, .height = settings_.height, .labels = settings_.labels})
+                   .planes;
 }
 
 frame::TextureId Screen::add_picture() {
@@ -338,13 +343,20 @@ void Screen::add_display(FrameOutputs& out) {
   const passes::Behind& behind = settings_.behind;
   const bool is_colour = behind.kind == passes::Behind::Kind::colour;
   frame::TextureId open;
-  if (behind.is_light() || is_colour) open = add_open_share();
+  if (behind.is_light() || is_colour || settings_.matte) open = add_open_share();
+  if (settings_.matte)
+    out.matte =
+        plan_->add<passes::Matte>("matte", {open}, {.width = settings_.width, .height = settings_.height})
+            .floats;
+  if (!settings_.display && !settings_.linear) return;
 
   // Light shines into the lens; a colour of the display does not.
   if (behind.is_light())
     out.picture = plan_->add<passes::Background>("background", {out.picture, open}, {behind}).picture;
-  passes::ToneMap::Settings tone_map{
-      .tone_map = settings_.tone_map, .behind_srgb = behind.srgb, .bloom = settings_.bloom};
+  passes::ToneMap::Settings tone_map{.tone_map = settings_.tone_map,
+                                     .behind_srgb = behind.srgb,
+                                     .bloom = settings_.bloom,
+                                     .display = settings_.display};
   if (settings_.bloom > 0) tone_map.spread = passes::add_bloom(*plan_, out.picture);
   const passes::ToneMap::Out shown =
       plan_->add<passes::ToneMap>("tone map", {out.picture, is_colour ? open : frame::TextureId{}}, tone_map);
@@ -361,20 +373,45 @@ FrameOutputs Screen::finish() {
     out.host_depth = depth_;
     return out;
   }
+  if (settings_.picture) add_finished_picture(out);
+  if (settings_.labels != 0) add_labels(out);
+  return out;
+}
 
+void Screen::add_finished_picture(FrameOutputs& out) {
   out.picture = add_picture();
   plan_->add<passes::Count>("count skin pixels", {out.picture, counters_},
                             {.slot = counter_skin_pixels, .threshold = 0.5f});
   out.before_bloom = out.picture;
   add_display(out);
-  if (settings_.labels) add_labels(out);
+  if (settings_.linear)
+    out.linear = plan_
+                     ->add<passes::LightFloats>("linear picture", {out.picture},
+                                                {.width = settings_.width, .height = settings_.height})
+                     .floats;
   plan_->read_back(out.before_bloom);
   plan_->read_back(out.picture);
-  plan_->read_back(out.display);
+  if (out.display.valid()) plan_->read_back(out.display);
   plan_->read_back(shadow_);
   for (std::uint32_t layer = 0; layer < settings_.shadow_layers; ++layer)
     out.shows[fmt::format("shadow:{}", layer)] = {.map = shadow_, .as = Shown::As::depth, .layer = layer};
-  return out;
 }
+
+namespace {
+
+FrameOutputs build_labels(passes::FramePlan& plan, const FrameSettings& settings) {
+  return Screen(plan, settings).finish();
+}
+
+}  // namespace
+
+constinit const Technique labels_alone{.name = "",
+                                       .summary = "what each pixel shows, and no light",
+                                       .uses_profile = false,
+                                       .has_light_maps = false,
+                                       .build = build_labels,
+                                       .maps = screen_maps,
+                                       .report = screen_report,
+                                       .gutters = no_gutters};
 
 }  // namespace dermis::techniques

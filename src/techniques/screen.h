@@ -76,6 +76,7 @@ class Screen {
  private:
   /// Finds what the picture shows of the skin of all heads. Nothing if there is none.
   void add_entries();
+  void make_shadow_maps();
   gpu::TextureDesc target(VkFormat format) const;
   bool shaded() const { return entries_.entries.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
@@ -90,6 +91,7 @@ class Screen {
   frame::TextureId add_picture();
   frame::TextureId add_open_share();
   void add_display(FrameOutputs& out);
+  void add_finished_picture(FrameOutputs& out);
   void add_labels(FrameOutputs& out);
   bool any_head(const Batch& batch, bool Model::*has) const;
 
@@ -112,6 +114,9 @@ FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings)
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
                           std::span<const DrawnHead> drawn);
 std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn);
+
+/// Draws labels and no light: FrameSettings::picture is false. Not one of techniques().
+extern const Technique labels_alone;
 
 /// Returns "stretch" for one skin mesh of the plan, "stretch part 1" for one of several.
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh);

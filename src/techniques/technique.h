@@ -142,7 +142,11 @@ struct FrameSettings {
   BlurMask mask = BlurMask::depth;  ///< of technique `published`
   bool all_mapped = false;          ///< every term is read from its map, whatever T
   bool visibility = false;          ///< also makes the map that `output.show` "visibility" shows
-  bool labels = false;              ///< also draws FrameOutputs::label_surface and label_names
+  bool picture = true;              ///< skin is lit and shaded; else the frame has labels alone
+  bool display = true;              ///< FrameOutputs::display is drawn
+  bool linear = false;              ///< FrameOutputs::linear is written
+  bool matte = false;               ///< FrameOutputs::matte is written
+  std::uint32_t labels = 0;         ///< LABEL_... bits of passes/labels: FrameOutputs::labels
 
   std::vector<SkinPart> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
@@ -164,7 +168,7 @@ struct FrameSettings {
   std::uint32_t most_meshes() const;                 ///< of a model
   std::uint32_t parts_of(const Model& model) const;  ///< SkinPart::parts of its meshes
   std::uint64_t parts() const;                       ///< of all heads
-  bool draws_picture() const { return !host || host->picture; }
+  bool draws_picture() const { return picture && (!host || host->picture); }
   bool host_lights() const { return host && host->irradiance; }
   /// Light maps hold the terms that pixels read, on as few texels as they take (map_side.h), and the rest of
   /// the light is lit at the pixel: mapped_terms.h. Light that a host draws is known in the maps alone, and a
@@ -211,9 +215,10 @@ struct FrameOutputs {
   frame::TextureId picture;
   frame::TextureId before_bloom;  ///< RGBA16F, as picture
   frame::TextureId display;       ///< RGBA8, after the tone map
-  /// Of passes/labels; not valid without labels.
-  frame::TextureId label_surface, label_names, label_motion, label_body;
-  frame::BufferId counters;  ///< uint[]; Technique::report says what they mean
+  frame::BufferId linear;         ///< `picture` as 32-bit floats; not valid unless asked for
+  frame::BufferId matte;          ///< of passes/open_share; likewise
+  frame::BufferId labels;         ///< of passes/labels; likewise
+  frame::BufferId counters;       ///< uint[]; Technique::report says what they mean
   /// With FrameSettings::host, in place of the pictures. Targets of the host; the light that it reads,
   /// RGBA16F, a layer per batch, see passes::ScatterSum.
   frame::TextureId host_colour, host_depth, scattered;

@@ -6,13 +6,13 @@ source "$(dirname "$0")/expect.sh"
 
 call "$root/run" help
 check "help: exit status 0" status_is 0
-for command in demo test build docs fetch-assets tsan fuzz help; do
+for command in demo test build docs python fetch-assets tsan fuzz help; do
   check "help tells of $command" says "  $command "
 done
 call "$root/run" bake
 check "unknown command: exit status 2" status_is 2
 check "unknown command: the known ones" says \
-  "unknown command 'bake'; known: demo, test, build, docs, fetch-assets, tsan, fuzz, help"
+  "unknown command 'bake'; known: demo, test, build, docs, python, fetch-assets, tsan, fuzz, help"
 call "$root/run" fetch-assets --into "$scratch/nowhere"
 check "fetch-assets hands its options on" says "$scratch/nowhere: not a folder"
 call bash -c "sed -e 's/#.*//' '$root/tools/packages.txt' |

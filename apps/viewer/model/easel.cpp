@@ -44,8 +44,9 @@ Session& Easel::session(bool moving, bool labels) {
   if (resting_ && resting_has_labels_ != labels) resting_.reset();
   resting_has_labels_ = labels;
   if (!resting_)
-    resting_.emplace(renderer(),
-                     Session::Options{.frames_in_flight = 1, .statistics = true, .labels = labels});
+    resting_.emplace(renderer(), Session::Options{.frames_in_flight = 1,
+                                                  .statistics = true,
+                                                  .wanted = labels ? Outputs::all() : Outputs::picture()});
   return *resting_;
 }
 
@@ -71,7 +72,7 @@ Painted Easel::draw_in_session(const Wish& wish) {
   const Ticket ticket = session.draw(wish.scene, settings);
   Painted painted{.picture = session.picture(ticket)};
   if (wish.labels && !wish.moving) {
-    painted.labels = session.labels(ticket);
+    painted.labels = session.results(ticket);
     painted.camera = drawn_camera(wish.scene, settings);
     if (wish.light) painted.light = light_map(wish, settings);
   }

@@ -30,14 +30,14 @@ Colour colour_of_region(std::uint32_t region) {
 }
 
 // Nearest and farthest of what is there.
-std::array<float, 2> depth_range(const Labels& labels) {
+std::array<float, 2> depth_range(const Results& labels) {
   std::array<float, 2> range{std::numeric_limits<float>::max(), 0};
   for (const float depth : labels.depth_m)
     if (std::isfinite(depth)) range = {std::min(range[0], depth), std::max(range[1], depth)};
   return range;
 }
 
-float most_thickness_mm(const Labels& labels) {
+float most_thickness_mm(const Results& labels) {
   return labels.thickness_mm.empty()
              ? 0
              : *std::max_element(labels.thickness_mm.begin(), labels.thickness_mm.end());
@@ -57,7 +57,7 @@ Colour colour_of_thickness(float mm, float most_mm) {
   return colour;
 }
 
-std::function<Colour(std::size_t)> colours_of(const Labels& labels, std::string_view view) {
+std::function<Colour(std::size_t)> colours_of(const Results& labels, std::string_view view) {
   if (view == "instances") return [&labels](std::size_t i) { return colour_of_number(labels.instance[i]); };
   if (view == "materials") return [&labels](std::size_t i) { return colour_of_number(labels.material[i]); };
   if (view == "regions") return [&labels](std::size_t i) { return colour_of_region(labels.region[i]); };
@@ -73,7 +73,7 @@ std::function<Colour(std::size_t)> colours_of(const Labels& labels, std::string_
     };
   if (view == "thickness")
     return [&labels, most_mm = most_thickness_mm(labels)](std::size_t i) {
-      return labels.skin_mesh[i] == 0 ? colour_of_region(Labels::no_region)
+      return labels.skin_mesh[i] == 0 ? colour_of_region(Results::no_region)
                                       : colour_of_thickness(labels.thickness_mm[i], most_mm);
     };
   return {};
@@ -87,7 +87,7 @@ bool is_label_view(std::string_view name) {
 
 std::vector<std::uint8_t> label_picture(const Painted& painted, std::string_view view) {
   if (!painted.labels) return {};
-  const Labels& labels = *painted.labels;
+  const Results& labels = *painted.labels;
   const std::function<Colour(std::size_t)> colour_of = colours_of(labels, view);
   if (!colour_of) return {};
 

@@ -46,7 +46,7 @@ struct LightMap {
 
 struct Painted {
   Picture picture;
-  std::optional<Labels> labels{};
+  std::optional<Results> labels{};
   std::optional<io::CameraIo> camera{};    ///< with labels
   std::optional<LightMap> light{};         ///< with labels, where the technique stores it
   std::uint64_t revision = 0, serial = 0;  ///< of the wish

@@ -21,7 +21,7 @@ std::string_view values_of_show() {
   return values;
 }
 
-void add_labels(PixelValues& pixel, const Labels& labels, const Statistics& statistics, std::size_t i) {
+void add_labels(PixelValues& pixel, const Results& labels, const Statistics& statistics, std::size_t i) {
   static constexpr const char* regions[] = {"no skin", "nose", "ear", "skin"};
   pixel.is_labelled = true;
   pixel.instance = labels.instance[i];

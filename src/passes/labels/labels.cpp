@@ -3,7 +3,10 @@
 
 #include <array>
 #include <limits>
+#include <numeric>
+#include <vector>
 
+#include "core/assert.h"
 #include "frame/resources.h"
 #include "passes/draw_skin.h"
 #include "passes/targets.h"
@@ -11,12 +14,26 @@
 namespace dermis::passes {
 namespace {
 
-constexpr VkFormat surface_format = VK_FORMAT_R32G32B32A32_SFLOAT;
-constexpr VkFormat names_format = VK_FORMAT_R32G32B32A32_UINT;
-constexpr VkFormat motion_format = VK_FORMAT_R32G32_SFLOAT;
-constexpr VkFormat body_format = VK_FORMAT_R32G32B32A32_SFLOAT;
-constexpr std::array no_surface{0.0f, 0.0f, 0.0f, std::numeric_limits<float>::infinity()};
-constexpr std::array nothing{0.0f, 0.0f, 0.0f, 0.0f};  // the bits of the number 0, too
+constexpr VkFormat words_format = VK_FORMAT_R32G32B32A32_UINT;
+
+// Words of each label in a pixel, in the order of their bits.
+constexpr std::array<std::uint32_t, LABEL_COUNT> words_of_label{3, 2, 2, 2, 1, 1, 1, 1, 1, 1};
+static_assert(std::accumulate(words_of_label.begin(), words_of_label.end(), 0u) == LABEL_MOST_WORDS);
+
+std::uint32_t words_of(std::uint32_t labels) {
+  std::uint32_t words = 0;
+  for (std::uint32_t i = 0; i < LABEL_COUNT; ++i)
+    if ((labels >> i & 1) != 0) words += words_of_label[i];
+  return words;
+}
+
+// What a pixel has where nothing is: the same bits as words.
+std::array<float, 4 * Labels::most_targets> nothing(std::uint32_t labels) {
+  std::array<float, 4 * Labels::most_targets> words{};
+  if ((labels & LABEL_DEPTH) != 0)
+    words[words_of(labels & (LABEL_DEPTH - 1))] = std::numeric_limits<float>::infinity();
+  return words;
+}
 
 io::LabelsIo labels_io(const Labels::Settings& settings, const Instance& instance,
                        const GpuMaterial& material, std::uint32_t skin_mesh) {
@@ -36,23 +53,18 @@ void offer_before(const Instance& instance, std::size_t buffer, const gpu::Buffe
 
 }  // namespace
 
+std::size_t Labels::targets() const { return (words_of(settings.labels) + 3) / 4; }
+
 Labels::Out Labels::declare(frame::Declare& d) {
+  DERMIS_ASSERT(settings.labels != 0);
   d.kind(frame::PassKind::raster);
-  gpu::TextureDesc desc{.width = settings.width, .height = settings.height, .format = surface_format};
-  out_.surface = d.create("label surfaces", desc);
-  desc.format = names_format;
-  out_.names = d.create("label names", desc);
-  desc.format = motion_format;
-  out_.motion = d.create("label motions", desc);
-  desc.format = body_format;
-  out_.body = d.create("label bodies", desc);
+  gpu::TextureDesc desc{.width = settings.width, .height = settings.height, .format = words_format};
+  for (std::size_t i = 0; i < targets(); ++i) {
+    out_.words[i] = d.create(fmt::format("label words {}", i), desc);
+    d.colour(out_.words[i]);
+  }
   desc.format = depth_format;
   depth_ = d.create("label depths", desc);
-
-  d.colour(out_.surface);
-  d.colour(out_.names);
-  d.colour(out_.motion);
-  d.colour(out_.body);
   d.depth(depth_);
   return out_;
 }
@@ -63,9 +75,12 @@ void Labels::prepare(gpu::PipelineLibrary& library) {
       for (const bool cut_out : {false, true})
         pipelines_[skin][double_sided][cut_out] =
             &library.graphics({.vertex = "labels.vert",
-                               .fragment = "labels.frag",
-                               .constants = {{"skin", skin ? 1u : 0u}, {"cut_out", cut_out ? 1u : 0u}},
-                               .colour_formats = {surface_format, names_format, motion_format, body_format},
+                               .fragment = fmt::format("labels_{}.frag", targets()),
+                               .constants = {{"skin", skin ? 1u : 0u},
+                                             {"cut_out", cut_out ? 1u : 0u},
+                                             {"labels", settings.labels},
+                                             {"body", needs_body(settings.labels) ? 1u : 0u}},
+                               .colour_formats = std::vector<VkFormat>(targets(), words_format),
                                .depth_format = depth_format,
                                .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
                                .depth_test = true,
@@ -73,11 +88,12 @@ void Labels::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const std::array targets{
-      gpu::ColourTarget{.texture = &resources.texture(out_.surface), .clear = no_surface},
-      gpu::ColourTarget{.texture = &resources.texture(out_.names), .clear = nothing},
-      gpu::ColourTarget{.texture = &resources.texture(out_.motion), .clear = nothing},
-      gpu::ColourTarget{.texture = &resources.texture(out_.body), .clear = nothing}};
+  const auto clear = nothing(settings.labels);
+  std::vector<gpu::ColourTarget> targets;
+  for (std::size_t i = 0; i < this->targets(); ++i)
+    targets.push_back(
+        {.texture = &resources.texture(out_.words[i]),
+         .clear = std::array{clear[4 * i], clear[4 * i + 1], clear[4 * i + 2], clear[4 * i + 3]}});
   const gpu::DepthTarget depth{.texture = &resources.texture(depth_), .clear = 0.0f, .store = false};
 
   cmd.begin_rendering(targets, depth, {settings.width, settings.height});
@@ -99,7 +115,8 @@ void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& in
     bindings.add("Frame", frame.frame_io)
         .add("Placements", instance.scene->unmoved)
         .add("BeforePlacements", instance.scene->unmoved)
-        .add("LabelVertices", instance.scene->skin[mesh].label_vertices);
+        .add("LabelVertices", needs_body(settings.labels) ? instance.scene->skin[mesh].label_vertices
+                                                          : instance.scene->unmoved);
     offer_before(instance, mesh, instance.scene->unmoved, bindings);
     passes::draw_skin(
         cmd, instance, mesh, bindings,

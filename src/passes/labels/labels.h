@@ -3,7 +3,9 @@
 /// instances.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "frame/graph.h"
 #include "passes/frame_data.h"
@@ -13,26 +15,30 @@ namespace dermis::passes {
 
 class Labels {
  public:
+  static constexpr std::size_t most_targets = 4;  ///< what every device draws to at once
   struct Settings {
     std::uint32_t width = 0, height = 0;  ///< of the picture, pixels
+    std::uint32_t labels = 0;             ///< LABEL_... bits of those that are drawn, at least one
   } settings;
   struct In {
   } in;
   struct Out {
-    frame::TextureId surface;  ///< RGBA32F, LabelSurfaceIo
-    frame::TextureId names;    ///< RGBA32UI, LabelNamesIo
-    frame::TextureId motion;   ///< RG32F, pixels since the frame before, y down
-    frame::TextureId body;     ///< RGBA32F, LabelBodyIo
+    /// RGBA32UI, four words of a pixel each; labels_io.h has their order. Those that are drawn come first.
+    std::array<frame::TextureId, most_targets> words;
   };
   Out declare(frame::Declare& d);
   void prepare(gpu::PipelineLibrary& library);
-  /// Needs GpuMesh::label_vertices of every skin mesh, and Instance::before.
+  /// Returns whether these labels are found once for each asset, at its vertices: nose, ears, thickness.
+  static bool needs_body(std::uint32_t labels) { return (labels & (LABEL_REGION | LABEL_THICKNESS)) != 0; }
+  /// Needs Instance::before and, of needs_body(), GpuMesh::label_vertices of every skin mesh.
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
   void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const;
   void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const;
   const gpu::Pipeline* pipeline_of(const GpuMaterial& material, bool skin) const;
+
+  std::size_t targets() const;
 
   Out out_;
   frame::TextureId depth_;

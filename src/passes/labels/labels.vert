@@ -8,6 +8,7 @@
 #include "shaders/frame.glsl"
 #include "passes/labels/labels_io.h"
 layout(constant_id = 0) const bool skin = false;
+layout(constant_id = 3) const bool body = false;  // LabelVertices are there
 layout(binding = 34, scalar) readonly buffer LabelVertices { LabelVertexIo label_vertices[]; };  // of skin
 layout(binding = 36, scalar) readonly buffer BeforePositions { vec3 before_m[]; };
 layout(binding = 37, scalar) readonly buffer BeforePlacements { PlacementIo before_placements[]; };
@@ -36,13 +37,18 @@ void main() {
   out_part = vec2(-1.0);
   out_body = vec3(0.0);
   if (skin) {
-    const LabelVertexIo label = label_vertices[gl_VertexIndex];
-    out_part = label.part;
-    out_body = vec3(unwrap_of(gl_VertexIndex), label.thickness_mm * INSTANCE.scale);
+    out_body.xy = unwrap_of(gl_VertexIndex);
+    if (body) {
+      const LabelVertexIo label = label_vertices[gl_VertexIndex];
+      out_part = label.part;
+      out_body.z = label.thickness_mm * INSTANCE.scale;
+    }
   }
 
   const vec3 now_m = vertex_position(gl_VertexIndex);
-  const vec3 then_m = before.moved != 0u ? before_m[gl_VertexIndex] : now_m;
+  // Not by a uniform alone: shaders/switches.glsl says why. No vertex has a number below 0.
+  const bool moved = before.moved > (gl_VertexIndex < 0 ? 1u : 0u);
+  const vec3 then_m = moved ? before_m[gl_VertexIndex] : now_m;
   out_clip = clip_at(frame.camera.clip_from_world, INSTANCE, placements[gl_InstanceIndex], now_m);
   out_clip_before =
       clip_at(before.clip_from_world, before.instance, before_placements[gl_InstanceIndex], then_m);

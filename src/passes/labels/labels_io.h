@@ -24,31 +24,25 @@ struct LabelVertexIo {
   float thickness_mm;
 };
 
-// What the pass writes per pixel; zeros where nothing is, but an infinite depth.
-struct LabelSurfaceIo {
-  vec3 normal;    // unit, world, of the side that is seen
-  float depth_m;  // along the axis of the camera
-};
-struct LabelNamesIo {
-  uint instance;
-  uint material_and_region;  // the region in the uppermost byte
-  vec2 uv;                   // the bits of floats
-};
-struct LabelBodyIo {
-  vec2 unwrap;
-  float thickness_mm;
-  float skin_mesh;  // a whole number
-};
 DERMIS_IO_END
 
-#define LABEL_REGION_SHIFT 24
+// Bits of specialisation constant `labels`. The pass writes the words of those that are set one after the
+// other, in this order, four to a target: floats as their bits; zeros where nothing is, but an infinite
+// depth.
+#define LABEL_NORMAL 1u     // 3 words: unit, world, of the side that is seen
+#define LABEL_UV 2u         // 2
+#define LABEL_MOTION 4u     // 2: pixels since the frame before, y down
+#define LABEL_UNWRAP 8u     // 2
+#define LABEL_INSTANCE 16u  // 1, like all that follow
+#define LABEL_MATERIAL 32u
+#define LABEL_DEPTH 64u  // m, along the axis of the camera
+#define LABEL_SKIN_MESH 128u
+#define LABEL_THICKNESS 256u  // mm
+#define LABEL_REGION 512u
+#define LABEL_COUNT 10
+#define LABEL_MOST_WORDS 15
+
 #define LABEL_REGION_NOSE 1u
 #define LABEL_REGION_EAR 2u
 #define LABEL_REGION_OTHER_SKIN 3u
-
-#ifdef __cplusplus
-static_assert(sizeof(dermis::io::LabelSurfaceIo) == 16);
-static_assert(sizeof(dermis::io::LabelNamesIo) == 16);
-static_assert(sizeof(dermis::io::LabelBodyIo) == 16);
-#endif
 #endif

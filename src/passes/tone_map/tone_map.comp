@@ -12,7 +12,8 @@
 #include "passes/tone_map/tone_map_io.h"
 layout(constant_id = 0) const uint tone_map = TONE_MAP_NATURAL;
 layout(constant_id = 1) const bool blooms = false;
-layout(constant_id = 2) const bool behind = false;  // a colour of the display stands behind the heads
+layout(constant_id = 3) const bool displays = true;  // else `light` alone is written
+layout(constant_id = 2) const bool behind = false;   // a colour of the display stands behind the heads
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { ToneMapIo io; };
 layout(binding = 0) uniform sampler2D picture;
@@ -115,7 +116,7 @@ vec3 encoded(vec3 shown) { return tone_map == TONE_MAP_LINEAR ? shown : srgb(sho
 
 void main() {
   const ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(p, imageSize(display)))) return;
+  if (any(greaterThanEqual(p, imageSize(light)))) return;
 
   // Light that has spread is left out where a colour stands behind.
   const vec4 own = texelFetch(picture, p, 0);
@@ -130,6 +131,7 @@ void main() {
   const vec3 sum = storable(heads + (behind ? share * io.linear : vec3(0.0)));
   imageStore(light, p, vec4(sum, own.a));
 
+  if (!displays) return;
   // The heads by themselves go through the tone map; the colour is added to what is shown of them.
   vec3 shown = io.srgb;
   if (share < 1.0) {

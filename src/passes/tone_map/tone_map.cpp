@@ -19,18 +19,20 @@ ToneMap::Out ToneMap::declare(frame::Declare& d) {
   compute(d, "tone_map.comp",
           {{"tone_map", static_cast<std::uint32_t>(settings.tone_map)},
            {"blooms", blooms() ? 1u : 0u},
-           {"behind", in.open.valid() ? 1u : 0u}});
+           {"behind", in.open.valid() ? 1u : 0u},
+           {"displays", settings.display ? 1u : 0u}});
   gpu::TextureDesc desc = d.desc(in.picture);
   desc.usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   out_.light = d.create("light", desc);
+  if (!settings.display) desc.width = desc.height = 1;  // for the binding
   desc.format = VK_FORMAT_R8G8B8A8_UNORM;
   out_.display = d.create("display", desc);
+  d.write(out_.display);
   d.sample(in.picture);
   if (in.open.valid()) d.sample(in.open);
   if (blooms())
     for (const SpreadLight& spread : {settings.spread.narrow, settings.spread.wide}) d.sample(spread.picture);
   d.write(out_.light);
-  d.write(out_.display);
   return out_;
 }
 
@@ -46,7 +48,7 @@ void ToneMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
       .bind(cmd, pipeline());
 
   const glm::vec3& srgb = settings.behind_srgb;
-  const gpu::TextureDesc& size = resources.texture(out_.display).desc();
+  const gpu::TextureDesc& size = resources.texture(out_.light).desc();
   dispatch(cmd,
            io::ToneMapIo{.srgb = srgb,
                          .linear = {image::srgb_to_linear(srgb.x), image::srgb_to_linear(srgb.y),

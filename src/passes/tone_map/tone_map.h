@@ -18,6 +18,7 @@ class ToneMap : public ComputePass {
     glm::vec3 behind_srgb{0};  ///< with `open`: a colour of the display, which no tone map changes
     float bloom = 0;           ///< 0..1, the share of the light that spreads
     Bloom spread = {};         ///< with `bloom`
+    bool display = true;       ///< else `light` alone is written
   } settings;
   struct In {
     frame::TextureId picture;    ///< RGBA16F, one sample
@@ -25,7 +26,7 @@ class ToneMap : public ComputePass {
   } in;
   struct Out {
     frame::TextureId light;    ///< as that of In, alpha too, with what has spread and the colour
-    frame::TextureId display;  ///< RGBA8, copied from afterwards
+    frame::TextureId display;  ///< RGBA8, copied from afterwards; one unread texel without `display`
   };
   Out declare(frame::Declare& d);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;

@@ -39,9 +39,9 @@ RenderSettings from_the_front() {
   return s;
 }
 
-Labels labels_of(const Scene& scene) {
-  Session session(renderer(), {.frames_in_flight = 1, .labels = true});
-  return session.labels(session.draw(scene, from_the_front()));
+Results labels_of(const Scene& scene) {
+  Session session(renderer(), {.frames_in_flight = 1, .wanted = Outputs::all()});
+  return session.results(session.draw(scene, from_the_front()));
 }
 
 TEST(BodyLabels, ASlabHasItsThickness) {
@@ -49,7 +49,7 @@ TEST(BodyLabels, ASlabHasItsThickness) {
     SCOPED_TRACE(scale);
     Scene scene = wrap(slab());
     scene.set_transform(scene.instances()[0], {scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, 1});
-    const Labels l = labels_of(scene);
+    const Results l = labels_of(scene);
     std::size_t skin = 0;
     for (std::size_t i = 0; i < l.skin_mesh.size(); ++i) {
       if (l.instance[i] == 0) {
@@ -66,7 +66,7 @@ TEST(BodyLabels, ASlabHasItsThickness) {
 }
 
 TEST(BodyLabels, WhatDoesNotCloseIsThick) {
-  const Labels l = labels_of(wrap(scene::plane(0.2)));
+  const Results l = labels_of(wrap(scene::plane(0.2)));
   EXPECT_EQ(*std::max_element(l.thickness_mm.begin(), l.thickness_mm.end()), 50);
 }
 
@@ -76,7 +76,7 @@ TEST(BodyLabels, TheLightMapIsLitWhereSkinIsSeen) {
   s.output.show = "irradiance";
   s.quality.depth = false;
   const Picture map = renderer().render(scene, s);
-  const Labels l = labels_of(scene);
+  const Results l = labels_of(scene);
 
   std::size_t seen = 0;
   for (std::size_t i = 0; i < l.skin_mesh.size(); ++i) {

@@ -75,44 +75,42 @@ double depth_of(const Eye& eye, const glm::dvec3& position_m) {
   return -(eye.camera_from_world * glm::dvec4(position_m, 1)).z;
 }
 
-Labels labels_of(const Scene& scene, const RenderSettings& settings) {
-  Session session(renderer(), {.frames_in_flight = 1, .labels = true});
-  return session.labels(session.draw(scene, settings));
+Results labels_of(const Scene& scene, const RenderSettings& settings) {
+  Session session(renderer(), {.frames_in_flight = 1, .wanted = Outputs::all()});
+  return session.results(session.draw(scene, settings));
 }
 
 /// Calls visit(pixel, x, y) for each.
-void for_each_pixel(const Labels& labels, const std::function<void(std::size_t, int, int)>& visit) {
+void for_each_pixel(const Results& labels, const std::function<void(std::size_t, int, int)>& visit) {
   std::size_t i = 0;
   for (int y = 0; y < labels.height; ++y)
     for (int x = 0; x < labels.width; ++x) visit(i++, x, y);
 }
 
-glm::dvec3 normal_at(const Labels& l, std::size_t i) {
+glm::dvec3 normal_at(const Results& l, std::size_t i) {
   return {l.normal[3 * i], l.normal[3 * i + 1], l.normal[3 * i + 2]};
 }
-glm::dvec2 uv_at(const Labels& l, std::size_t i) { return {l.uv[2 * i], l.uv[2 * i + 1]}; }
+glm::dvec2 uv_at(const Results& l, std::size_t i) { return {l.uv[2 * i], l.uv[2 * i + 1]}; }
 
-void expect_nothing(const Labels& l, std::size_t i) {
+void expect_nothing(const Results& l, std::size_t i) {
   EXPECT_EQ(l.instance[i], 0u) << i;
   EXPECT_EQ(l.material[i], 0u) << i;
   EXPECT_EQ(l.depth_m[i], infinite) << i;
   EXPECT_EQ(normal_at(l, i), glm::dvec3(0)) << i;
   EXPECT_EQ(uv_at(l, i), glm::dvec2(0)) << i;
-  EXPECT_EQ(l.region[i], Labels::no_region) << i;
+  EXPECT_EQ(l.region[i], Results::no_region) << i;
 }
 
-void expect_same(const Labels& wanted, const Labels& found) {
+void expect_same(const Results& wanted, const Results& found) {
   EXPECT_EQ(wanted.width, found.width);
   EXPECT_EQ(wanted.height, found.height);
-  EXPECT_TRUE(wanted.instance == found.instance);
-  EXPECT_TRUE(wanted.material == found.material);
-  EXPECT_TRUE(wanted.depth_m == found.depth_m);
-  EXPECT_TRUE(wanted.normal == found.normal);
-  EXPECT_TRUE(wanted.uv == found.uv);
-  EXPECT_TRUE(wanted.region == found.region);
+  for (const OutputRow& row : output_rows())
+    if (Outputs{row.output} != Outputs{Output::motion} && Outputs::labels().has(row.output)) {
+      EXPECT_TRUE(std::ranges::equal(wanted.bytes(row.output), found.bytes(row.output))) << row.name;
+    }
 }
 
-std::size_t count(const std::vector<std::uint32_t>& labels, std::uint32_t label) {
+std::size_t count(std::span<const std::uint32_t> labels, std::uint32_t label) {
   return static_cast<std::size_t>(std::count(labels.begin(), labels.end(), label));
 }
 
@@ -134,7 +132,7 @@ void expect_the_plane(const Eye& eye) {
   for (std::size_t i = 0; i < 12; ++i) pose[i] *= scale;
   Scene scene;
   scene.add({.asset = asset_of(scene::plane(side_m)), .world_from_asset = pose});
-  const Labels l = labels_of(scene, seen_by(eye));
+  const Results l = labels_of(scene, seen_by(eye));
   ASSERT_EQ(l.width, 96);
   ASSERT_EQ(l.height, 96);
 
@@ -158,7 +156,7 @@ void expect_the_plane(const Eye& eye) {
     EXPECT_NEAR(l.depth_m[i], depth_of(eye, hit_m), 3e-6);  // 2.3e-6 at 0.7 m on a GPU that interpolates
     EXPECT_LT(glm::distance(normal_at(l, i), normal), 2e-6);
     EXPECT_LT(glm::distance(uv_at(l, i), glm::dvec2(0.5 + at.x, 0.5 - at.y)), most_uv());
-    EXPECT_EQ(l.region[i], Labels::other_skin) << "a plane has neither nose nor ears";
+    EXPECT_EQ(l.region[i], Results::other_skin) << "a plane has neither nose nor ears";
   });
   EXPECT_GT(inside, 1000u);
   EXPECT_GT(outside, 200u);
@@ -173,7 +171,7 @@ TEST(Labels, OfABallInClosedForm) {
   const Eye eye = perspective({0.1, 0.07, 0.4});
   Scene scene;
   scene.add({.asset = asset_of(scene::sphere(radius_m, 64))});
-  const Labels l = labels_of(scene, seen_by(eye));
+  const Results l = labels_of(scene, seen_by(eye));
 
   std::size_t inside = 0;
   for_each_pixel(l, [&](std::size_t i, int x, int y) {
@@ -217,7 +215,7 @@ TEST(Labels, OfAHeadByRays) {
       {.world_from_mesh = glm::dmat4x3(-1, 0, 0.5, 0, 1, 0, 0, 0, 1, -0.02, 0.01, 0.2), .mirrored = true}};
   const rays::RayScene rays(data);
   const Eye eye = perspective({0.3, 0.1, 0.6});
-  const Labels l = labels_of(wrap(data), seen_by(eye, 160));
+  const Results l = labels_of(wrap(data), seen_by(eye, 160));
 
   std::size_t seen = 0, wrong = 0;
   std::vector<std::size_t> of_material(data.materials.size() + 1);
@@ -248,7 +246,7 @@ TEST(Labels, NumbersAreThoseOfTheScene) {
       scene.add({.asset = asset_of(scene::sphere(0.05)), .world_from_asset = moved({-0.05, 0, 0.2})});
   scene.add({.asset = asset_of(square)});
   scene.add({.asset = asset_of(scene::sphere(0.03)), .world_from_asset = moved({0, 0, 0.1})});
-  const auto label_at = [](const Labels& l, double x, double y) {
+  const auto label_at = [](const Results& l, double x, double y) {
     const auto i = static_cast<std::size_t>(y * l.height) * static_cast<std::size_t>(l.width) +
                    static_cast<std::size_t>(x * l.width);
     return std::pair(l.instance[i], l.material[i]);
@@ -256,12 +254,12 @@ TEST(Labels, NumbersAreThoseOfTheScene) {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
   const RenderSettings s = seen_by(perspective({0, 0, 1}));
-  const Labels all = labels_of(scene, s);
+  const Results all = labels_of(scene, s);
   EXPECT_EQ(label_at(all, 0.4, 0.5), Pair(1, 1)) << "before it is hidden";
   EXPECT_GT(count(all.instance, 1), 300u);
 
   scene.set_visible(hidden, false);
-  const Labels l = labels_of(scene, s);
+  const Results l = labels_of(scene, s);
   EXPECT_EQ(count(l.instance, 1), 0u);
   EXPECT_EQ(label_at(l, 0.5, 0.5), Pair(3, 1));
   EXPECT_EQ(label_at(l, 0.35, 0.4), Pair(2, 1));
@@ -269,7 +267,8 @@ TEST(Labels, NumbersAreThoseOfTheScene) {
   EXPECT_EQ(label_at(l, 0.05, 0.05), Pair(0, 0));
   EXPECT_EQ(scene.instance(scene.instances()[1]).asset.materials()[1], "sheet");
   for_each_pixel(l, [&](std::size_t i, int, int) {
-    EXPECT_EQ(l.region[i], l.instance[i] > 0 && l.material[i] == 1 ? Labels::other_skin : Labels::no_region);
+    EXPECT_EQ(l.region[i],
+              l.instance[i] > 0 && l.material[i] == 1 ? Results::other_skin : Results::no_region);
   });
 }
 
@@ -279,7 +278,7 @@ TEST(Labels, OfARowAreItsHeads) {
   RenderSettings s = small_settings("texture-space", 90, 64);
   s.camera.heads = 3;
   s.output.exposure_ev = 0;
-  const Labels l = labels_of(scene, s);
+  const Results l = labels_of(scene, s);
   std::vector<std::uint32_t> order;
   for (int x = 0; x < l.width; ++x) {
     const std::uint32_t label = l.instance[static_cast<std::size_t>(45 * l.width + x)];
@@ -294,7 +293,7 @@ TEST(Labels, OfABackOnlyWhereItIsSeen) {
   EXPECT_EQ(count(labels_of(wrap(square), seen_by(behind)).instance, 1), 0u) << "culled";
 
   square.materials[0].double_sided = true;
-  const Labels l = labels_of(wrap(square), seen_by(behind));
+  const Results l = labels_of(wrap(square), seen_by(behind));
   EXPECT_GT(count(l.instance, 1), 1000u);
   for_each_pixel(l, [&](std::size_t i, int, int) {
     if (l.instance[i] > 0) { EXPECT_EQ(normal_at(l, i), glm::dvec3(0, 0, -1)); }
@@ -326,7 +325,7 @@ TEST(Labels, AreCutOutAsThePictureIs) {
     RenderSettings s = seen_by(perspective({0.1, 0.07, 0.7}));
     s.quality.samples = 1;
     const Picture picture = renderer().render(scene, s);
-    const Labels l = labels_of(scene, s);
+    const Results l = labels_of(scene, s);
     std::size_t of_skin = 0, others = 0;
     for_each_pixel(l, [&](std::size_t i, int x, int y) {
       const bool shows_skin = picture.linear_rgba[4 * i + 3] > 0.5f;
@@ -342,7 +341,7 @@ TEST(Labels, AreCutOutAsThePictureIs) {
 TEST(Labels, AreOfWhatLiesBehindBlendedParts) {
   scene::Scene made = scene::plane(0.2);
   const RenderSettings s = seen_by(perspective({0, 0, 0.7}));
-  const Labels bare = labels_of(wrap(made), s);
+  const Results bare = labels_of(wrap(made), s);
   const Picture before = renderer().render(wrap(made), s);
   add_sheet(made, 0.1f, 0.01f);
   made.materials[1].alpha_mode = scene::AlphaMode::blend;
@@ -359,7 +358,7 @@ TEST(Labels, DependOnGeometryAlone) {
   s.camera.target_m = {0, 0, 0};
   s.output.exposure_ev = 0;
   s.quality.samples = 4;
-  const Labels wanted = labels_of(scene, s);
+  const Results wanted = labels_of(scene, s);
   EXPECT_GT(count(wanted.instance, 1), 500u);
   EXPECT_GT(count(wanted.instance, 2), 100u);
   expect_same(wanted, labels_of(scene, s));
@@ -380,20 +379,20 @@ TEST(Labels, AreOfTheirFrameWithThreeInFlight) {
   Scene scene;
   const InstanceId id = scene.add({.asset = head()});
   RenderSettings s = seen_by(perspective({0.1, 0, 0.8}), 64);
-  Session session(renderer(), {.frames_in_flight = 3, .labels = true});
+  Session session(renderer(), {.frames_in_flight = 3, .wanted = Outputs::all()});
   std::vector<Ticket> tickets;
   std::vector<Scene> scenes;
-  std::vector<Labels> found;
+  std::vector<Results> found;
   for (std::size_t i = 0; i < 7; ++i) {
     scene.set_transform(id, turned(0.3 * static_cast<double>(i), 0.01));
     scenes.push_back(scene);
     tickets.push_back(session.draw(scene, s));
-    if (i >= 2) found.push_back(session.labels(tickets[i - 2]));
+    if (i >= 2) found.push_back(session.results(tickets[i - 2]));
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     SCOPED_TRACE(i);
     expect_same(labels_of(scenes[i], s), found[i]);
-    if (i > 0) { EXPECT_FALSE(found[i].depth_m == found[i - 1].depth_m); }
+    if (i > 0) { EXPECT_FALSE(std::ranges::equal(found[i].depth_m, found[i - 1].depth_m)); }
   }
   // Nor do they change the picture.
   expect_equal_bits(renderer().render(scenes[6], s), session.picture(tickets[6]));
@@ -404,13 +403,15 @@ TEST(Labels, AreForThoseWhoAsk) {
   const RenderSettings s = seen_by(perspective({0, 0, 0.5}), 16);
   Session without(renderer());
   const Ticket ticket = without.draw(scene, s);
-  EXPECT_EQ(thrown<InputError>([&] { without.labels(ticket); }),
-            "this session draws no labels: its Options do not ask for them");
+  const Results picture = without.results(ticket);
+  EXPECT_EQ(picture.display.size(), std::size_t{4 * 16 * 16});
+  for (const OutputRow& row : output_rows())
+    EXPECT_NE(picture.bytes(row.output).empty(), Outputs::picture().has(row.output)) << row.name;
 
-  Session session(renderer(), {.frames_in_flight = 1, .labels = true});
+  Session session(renderer(), {.frames_in_flight = 1, .wanted = Outputs::all()});
   const Ticket first = session.draw(scene, s);
   session.draw(scene, s);
-  EXPECT_EQ(thrown<InputError>([&] { session.labels(first); }),
+  EXPECT_EQ(thrown<InputError>([&] { session.results(first); }),
             "ticket 1 is not of the last 1 frames of this session");
 }
 
@@ -419,7 +420,7 @@ struct Overlap {
   double found = 0, more = 0;
 };
 
-Overlap overlap(const Labels& l, Labels::Region label, const std::vector<PictureRegion>& all,
+Overlap overlap(const Results& l, Results::Region label, const std::vector<PictureRegion>& all,
                 const std::string& name) {
   const auto region =
       std::find_if(all.begin(), all.end(), [&](const PictureRegion& r) { return r.name == name; });
@@ -438,13 +439,13 @@ void expect_the_regions_of(const Scene& scene) {
     RenderSettings s = small_settings("lambert", 200, 64);
     s.camera.orbit_deg = {azimuth_deg, 0};
     s.output.exposure_ev = 0;
-    const Labels l = labels_of(scene, s);
+    const Results l = labels_of(scene, s);
     const std::vector<PictureRegion> all = picture_regions(scene, s);
 
-    const Overlap nose = overlap(l, Labels::nose, all, "nose");
+    const Overlap nose = overlap(l, Results::nose, all, "nose");
     EXPECT_GT(nose.found, 0.98);
     EXPECT_LT(nose.more, 0.02);
-    const Overlap ears = overlap(l, Labels::ear, all, "ears");
+    const Overlap ears = overlap(l, Results::ear, all, "ears");
     EXPECT_GT(ears.found, 0.97);
     EXPECT_LT(ears.more, 0.45);
   }
@@ -460,15 +461,15 @@ TEST(Labels, RegionsMoveWithTheHead) {
   Scene scene;
   const InstanceId id = scene.add({.asset = head()});
   const RenderSettings front = seen_by(perspective({0, 0, 0.8})), left = seen_by(perspective({0.8, 0, 0}));
-  const auto pixels = [&](const RenderSettings& s, Labels::Region region) {
-    const Labels l = labels_of(scene, s);
+  const auto pixels = [&](const RenderSettings& s, Results::Region region) {
+    const Results l = labels_of(scene, s);
     return std::count(l.region.begin(), l.region.end(), region);
   };
-  const auto nose = pixels(front, Labels::nose), ear = pixels(left, Labels::ear);
+  const auto nose = pixels(front, Results::nose), ear = pixels(left, Results::ear);
   EXPECT_GT(nose, 50);
   EXPECT_GT(ear, 50);
   scene.set_transform(id, turned(std::acos(-1.0) / 2, 0));
-  EXPECT_NEAR(static_cast<double>(pixels(left, Labels::nose)), static_cast<double>(nose), 2);
+  EXPECT_NEAR(static_cast<double>(pixels(left, Results::nose)), static_cast<double>(nose), 2);
 }
 
 }  // namespace

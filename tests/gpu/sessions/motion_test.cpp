@@ -43,9 +43,9 @@ glm::dvec2 pixel_of(const glm::dvec3& eye_m, const glm::dvec3& position_m) {
   return {(p.x / p.w + 1) / 2 * side, (1 - p.y / p.w) / 2 * side};
 }
 
-glm::dvec2 motion_at(const Labels& l, std::size_t i) { return {l.motion_px[2 * i], l.motion_px[2 * i + 1]}; }
+glm::dvec2 motion_at(const Results& l, std::size_t i) { return {l.motion_px[2 * i], l.motion_px[2 * i + 1]}; }
 
-bool all_still(const Labels& l) {
+bool all_still(const Results& l) {
   for (const float value : l.motion_px)
     if (value != 0) return false;
   return true;
@@ -84,7 +84,7 @@ Asset square_and_sheet() {
 class Film {
  public:
   explicit Film(int frames_in_flight = 1)
-      : session_(renderer(), {.frames_in_flight = frames_in_flight, .labels = true}),
+      : session_(renderer(), {.frames_in_flight = frames_in_flight, .wanted = Outputs::all()}),
         id_(scene_.add({.asset = square_and_sheet()})) {}
 
   Ticket draw(const Moment& m) {
@@ -98,8 +98,8 @@ class Film {
     }
     return session_.draw(scene_, seen_from(m.eye_m));
   }
-  Labels labels(Ticket ticket) const { return session_.labels(ticket); }
-  Labels next(const Moment& m) { return labels(draw(m)); }
+  Results labels(Ticket ticket) const { return session_.results(ticket); }
+  Results next(const Moment& m) { return labels(draw(m)); }
   Scene& scene() { return scene_; }
 
  private:
@@ -109,13 +109,13 @@ class Film {
 };
 
 /// Where the point that a pixel shows stands at that moment, in the world. Its coordinates name it.
-glm::dvec3 place_of(const Labels& l, std::size_t i, const Moment& m) {
+glm::dvec3 place_of(const Results& l, std::size_t i, const Moment& m) {
   const glm::dvec3 p((l.uv[2 * i] - 0.5) * square_m, (0.5 - l.uv[2 * i + 1]) * square_m, 0);
   return m.world_from_asset * glm::dvec4(glm::mix(p, morphed(p), m.posed ? m.weight : 0), 1);
 }
 
 /// Each pixel of the square against the closed form; returns the largest motion.
-double expect_motion(const Labels& l, const Moment& before, const Moment& now) {
+double expect_motion(const Results& l, const Moment& before, const Moment& now) {
   std::size_t seen = 0;
   double largest = 0;
   for (std::size_t i = 0; i < l.instance.size(); ++i) {
@@ -166,7 +166,7 @@ TEST(Motion, OfWhatHangsOnANodeIsThatOfTheNode) {
   Film film;
   film.next({});
   const Moment now{.sheet_m = {0.004, 0.003, 0.01}};
-  const Labels l = film.next(now);
+  const Results l = film.next(now);
   std::size_t seen = 0;
   for (std::size_t i = 0; i < l.instance.size(); ++i) {
     if (l.material[i] != 2) {
@@ -207,7 +207,7 @@ TEST(Motion, OfWhatWasNotThereIsNone) {
       {.asset = Asset::State::make(std::make_shared<const scene::Scene>(scene::sphere(0.02))),
        .world_from_asset = moved({0, 0, 0.2})});
   const Moment now{.eye_m = {0.1, 0, 0.7}};
-  const Labels l = film.next(now);
+  const Results l = film.next(now);
   std::size_t of_ball = 0;
   for (std::size_t i = 0; i < l.instance.size(); ++i)
     if (l.instance[i] == 2) {
@@ -225,7 +225,7 @@ TEST(Motion, OfWhatWasNotThereIsNone) {
 TEST(Motion, OfWhatLayBehindTheCameraIsInfinite) {
   Film film;
   film.next({.eye_m = {0, 0, 0.7}, .world_from_asset = glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 1))});
-  const Labels l = film.next({});
+  const Results l = film.next({});
   std::size_t seen = 0;
   for (std::size_t i = 0; i < l.instance.size(); ++i) {
     if (l.material[i] != 1) continue;
@@ -242,18 +242,18 @@ TEST(Motion, OfACharacterLeadsToTheSamePoint) {
   const LogLines quiet;
   Scene scene;
   const InstanceId id = scene.add({.asset = Asset::load(file)});
-  Session session(renderer(), {.frames_in_flight = 1, .labels = true});
+  Session session(renderer(), {.frames_in_flight = 1, .wanted = Outputs::all()});
   RenderSettings s = seen_from({0.1, 0.35, 0.9}, 240);
   s.camera.target_m = {0, 0.3, 0.05};
 
   scene.pose(id, "performance", 1.2);
-  const Labels before = session.labels(session.draw(scene, s));
+  const Results before = session.results(session.draw(scene, s));
   scene.pose(id, "performance", 1.4);
-  const Labels now = session.labels(session.draw(scene, s));
+  const Results now = session.results(session.draw(scene, s));
   std::size_t moved = 0, same = 0;
   for (std::size_t i = 0; i < now.instance.size(); ++i) {
     const glm::dvec2 by = motion_at(now, i);
-    if (now.region[i] == Labels::no_region || glm::length(by) < 1) continue;
+    if (now.region[i] == Results::no_region || glm::length(by) < 1) continue;
     const auto x = static_cast<int>(std::floor(static_cast<double>(i % 240) + 0.5 - by.x));
     const auto y = static_cast<int>(std::floor(static_cast<double>(i / 240) + 0.5 - by.y));
     const auto at = static_cast<std::size_t>(y * 240 + x);

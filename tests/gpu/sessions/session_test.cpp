@@ -52,7 +52,8 @@ void expect_steady(const Scene& at_first, InstanceId turning, const RenderSettin
                    double radius_m, bool labels = false) {
   Scene scene = at_first;
   const LightId light = scene.lights().front();
-  Session session(renderer(), {.frames_in_flight = 2, .labels = labels});
+  Session session(renderer(),
+                  {.frames_in_flight = 2, .wanted = labels ? Outputs::all() : Outputs::picture()});
   DeviceCounters before;
   Ticket last{};
 
@@ -63,7 +64,7 @@ void expect_steady(const Scene& at_first, InstanceId turning, const RenderSettin
     scene.set_light(light, sun(0.1 * i));
     const Ticket ticket = session.draw(scene, orbit(settings, share, radius_m));
     // To ask for the last frame is to wait for all that was submitted.
-    if (labels && i > 0) { EXPECT_EQ(session.labels(last).width, settings.output.width); }
+    if (labels && i > 0) { EXPECT_EQ(session.results(last).width, settings.output.width); }
     last = ticket;
   }
 

@@ -8,6 +8,7 @@
 
 #include "gaussians/known.h"
 #include "hazards.h"
+#include "passes/labels/labels_io.h"
 #include "support/sanitized.h"
 #include "techniques/memory.h"
 #include "techniques/technique.h"
@@ -61,7 +62,7 @@ std::vector<Case> cases() {
                                         .shadow_layers = 2};
             set_heads(s, heads, parts, more);
             s.bloom = more ? 0.05f : 0.0f;
-            s.labels = more;
+            s.labels = more ? (1u << LABEL_COUNT) - 1 : 0;
             s.translucency = more && parts > 0 && technique->has_light_maps;
             all.push_back({fmt::format("{}, {} heads of {} skin parts, {} samples{}", technique->name, heads,
                                        parts, samples, more ? ", surfaces, bloom, labels" : ""),
@@ -153,22 +154,24 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
   EXPECT_GT(removed, 500 / every);
 }
 
-// Who asks for labels gets one more pass at the end, and the frame before it is as it was.
-TEST(TechniqueFrames, GrowByThePassOfLabels) {
+// Who asks for labels gets a pass that draws and one that writes them at the end, and the frame before it is
+// as it was.
+TEST(TechniqueFrames, GrowByThePassesOfLabels) {
   for (const techniques::Technique* technique : techniques::techniques()) {
     techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 64, .shadow_size = 64};
     set_heads(s, 2, 2, true);
     passes::FramePlan without, with;
-    EXPECT_FALSE(technique->build(without, s).label_surface.valid());
-    s.labels = true;
-    EXPECT_TRUE(technique->build(with, s).label_surface.valid());
+    EXPECT_FALSE(technique->build(without, s).labels.valid());
+    s.labels = LABEL_DEPTH;
+    EXPECT_TRUE(technique->build(with, s).labels.valid());
 
-    ASSERT_EQ(with.passes().size(), without.passes().size() + 1);
+    ASSERT_EQ(with.passes().size(), without.passes().size() + 2);
     for (std::size_t p = 0; p < without.passes().size(); ++p) {
       EXPECT_EQ(with.passes()[p].name, without.passes()[p].name);
       EXPECT_NE(without.passes()[p].name, "labels");
     }
-    EXPECT_EQ(with.passes().back().name, "labels");
+    EXPECT_EQ(with.passes()[without.passes().size()].name, "labels");
+    EXPECT_EQ(with.passes().back().name, "label planes");
     EXPECT_EQ(with.passes().back().runs, Runs::every_frame);
   }
 }

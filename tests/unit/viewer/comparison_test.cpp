@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "viewer/model/comparison.h"
+#include "support/made_results.h"
 
 #include <gtest/gtest.h>
 
@@ -76,16 +77,16 @@ TEST(PixelValues, AreThoseUnderThePointer) {
   painted.picture.display_rgba[4 * (1 * 4 + 2) + 1] = 200;
   painted.picture.statistics.used_size = {64};
   painted.picture.statistics.mapped_terms = {5};
-  Labels& labels = painted.labels.emplace();
-  labels.instance.assign(8, 1);
-  labels.material.assign(8, 2);
-  labels.depth_m.assign(8, 0.5f);
-  labels.normal.assign(24, 0);
-  labels.uv.assign(16, 0.25f);
-  labels.region.assign(8, Labels::nose);
-  labels.skin_mesh.assign(8, 1);
-  labels.unwrap.assign(16, 0.25f);
-  labels.thickness_mm.assign(8, 4);
+  Results& labels = painted.labels.emplace();
+  tests::give(labels, labels.instance, std::vector<std::uint32_t>(8, 1));
+  tests::give(labels, labels.material, std::vector<std::uint32_t>(8, 2));
+  tests::give(labels, labels.depth_m, std::vector<float>(8, 0.5f));
+  tests::give(labels, labels.normal, std::vector<float>(24, 0));
+  tests::give(labels, labels.uv, std::vector<float>(16, 0.25f));
+  tests::give(labels, labels.region, std::vector<std::uint8_t>(8, Results::nose));
+  tests::give(labels, labels.skin_mesh, std::vector<std::uint32_t>(8, 1));
+  tests::give(labels, labels.unwrap, std::vector<float>(16, 0.25f));
+  tests::give(labels, labels.thickness_mm, std::vector<float>(8, 4));
 
   const std::optional<PixelValues> pixel = pixel_at(painted, 0.6f, 0.9f);
   ASSERT_TRUE(pixel);
@@ -100,15 +101,15 @@ TEST(PixelValues, AreThoseUnderThePointer) {
 }
 
 TEST(LabelViews, HaveAColourForEachNumber) {
-  Painted painted{.labels = Labels{.width = 4, .height = 1}};
-  Labels& labels = *painted.labels;
-  labels.instance = {0, 1, 1, 2};
-  labels.material = {0, 1, 2, 1};
-  labels.region = {0, 0, 1, 3};
-  labels.depth_m = {std::numeric_limits<float>::infinity(), 1, 2, 3};
-  labels.normal = {0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0};
-  labels.skin_mesh = {0, 1, 0, 1};
-  labels.thickness_mm = {0, 2, 0, 9};
+  Painted painted{.labels = Results{.width = 4, .height = 1}};
+  Results& labels = *painted.labels;
+  tests::give(labels, labels.instance, {0, 1, 1, 2});
+  tests::give(labels, labels.material, {0, 1, 2, 1});
+  tests::give(labels, labels.region, {0, 0, 1, 3});
+  tests::give(labels, labels.depth_m, {std::numeric_limits<float>::infinity(), 1, 2, 3});
+  tests::give(labels, labels.normal, {0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0});
+  tests::give(labels, labels.skin_mesh, {0, 1, 0, 1});
+  tests::give(labels, labels.thickness_mm, {0, 2, 0, 9});
 
   const auto pixel = [&](std::string_view view, std::size_t i) {
     const std::vector<std::uint8_t> rgba = label_picture(painted, view);

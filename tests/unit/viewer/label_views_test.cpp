@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Labels as colours, and what is known of one pixel.
 #include "viewer/model/label_views.h"
+#include "support/made_results.h"
 
 #include <gtest/gtest.h>
 
@@ -24,18 +25,18 @@ Painted four_pixels() {
   picture.display_rgba.assign(16, 128);
   picture.statistics.heads = 1;
   picture.statistics.used_size = {4};
-  painted.labels = Labels{.width = 4,
-                          .height = 1,
-                          .instance = {0, 1, 1, 1},
-                          .material = {0, 2, 1, 1},
-                          .depth_m = {INFINITY, 1, 1, 1},
-                          .normal = std::vector<float>(12),
-                          .uv = std::vector<float>(8),
-                          .motion_px = std::vector<float>(8),
-                          .region = {Labels::no_region, Labels::no_region, Labels::ear, Labels::other_skin},
-                          .skin_mesh = {0, 0, 1, 1},
-                          .unwrap = {0, 0, 0, 0, 0.3f, 0.8f, 1, 1},
-                          .thickness_mm = {0, 0, 3, 24}};
+  Results& labels = painted.labels.emplace(Results{.width = 4, .height = 1});
+  tests::give(labels, labels.instance, {0, 1, 1, 1});
+  tests::give(labels, labels.material, {0, 2, 1, 1});
+  tests::give(labels, labels.depth_m, {INFINITY, 1, 1, 1});
+  tests::give(labels, labels.normal, std::vector<float>(12));
+  tests::give(labels, labels.uv, std::vector<float>(8));
+  tests::give(labels, labels.motion_px, std::vector<float>(8));
+  tests::give(labels, labels.region,
+              {Results::no_region, Results::no_region, Results::ear, Results::other_skin});
+  tests::give(labels, labels.skin_mesh, {0, 0, 1, 1});
+  tests::give(labels, labels.unwrap, {0, 0, 0, 0, 0.3f, 0.8f, 1, 1});
+  tests::give(labels, labels.thickness_mm, {0, 0, 3, 24});
   return painted;
 }
 
@@ -66,7 +67,7 @@ TEST(LabelViews, ThicknessHasTheColoursOfItsLegend) {
 
 TEST(LabelViews, HaveNoLegendWithoutSkin) {
   Painted painted = four_pixels();
-  painted.labels->thickness_mm.assign(4, 0);
+  std::ranges::fill(painted.labels->thickness_mm, 0.0f);
   EXPECT_TRUE(thickness_legend(painted).empty());
   painted.labels.reset();
   EXPECT_TRUE(thickness_legend(painted).empty());

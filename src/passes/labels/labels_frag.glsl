@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#version 460
+// TARGETS: how many targets there are, 1 to 4.
 #include "shared/scene_io.h"
 #include "passes/labels/labels_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
@@ -7,6 +7,7 @@ layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 layout(binding = 8) uniform sampler2D map_base_colour;
 #include "shaders/cut_out.glsl"
 layout(constant_id = 0) const bool skin = false;
+layout(constant_id = 2) const uint labels = 0u;  // LABEL_... bits
 layout(push_constant, scalar) uniform Push { LabelsIo io; };
 layout(location = 0) in vec3 in_position_m;
 layout(location = 1) in vec3 in_normal;
@@ -15,11 +16,17 @@ layout(location = 3) in vec4 in_colour;
 layout(location = 4) in vec2 in_part;  // how far inside nose and ear
 layout(location = 5) in vec4 in_clip;
 layout(location = 6) in vec4 in_clip_before;
-layout(location = 7) in vec3 in_body;       // unwrap, thickness in mm
-layout(location = 0) out vec4 out_surface;  // LabelSurfaceIo
-layout(location = 1) out uvec4 out_names;   // LabelNamesIo
-layout(location = 2) out vec2 out_motion;   // pixels
-layout(location = 3) out vec4 out_body;     // LabelBodyIo
+layout(location = 7) in vec3 in_body;        // unwrap, thickness in mm
+layout(location = 0) out uvec4 out_words_0;  // of the labels that are drawn
+#if TARGETS > 1
+layout(location = 1) out uvec4 out_words_1;
+#endif
+#if TARGETS > 2
+layout(location = 2) out uvec4 out_words_2;
+#endif
+#if TARGETS > 3
+layout(location = 3) out uvec4 out_words_3;
+#endif
 
 // As ids_cut_out.frag tests skin, and surface.frag all else: from the levels of the map.
 bool is_cut_in_picture() {
@@ -44,13 +51,50 @@ vec2 motion() {
   return moved * vec2(0.5, -0.5) * io.size;  // y of a clip points up
 }
 
+// The places are known when the shader is compiled: no array remains.
+uint words[16];
+int used = 0;
+
+bool draws(uint label) { return (labels & label) != 0u; }
+void put(uint word) { words[used++] = word; }
+void put(float value) { put(floatBitsToUint(value)); }
+void put(vec2 value) {
+  put(value.x);
+  put(value.y);
+}
+void put(vec3 value) {
+  put(value.xy);
+  put(value.z);
+}
+uvec4 four_words(int target) {
+  const int i = 4 * target;
+  return uvec4(words[i], words[i + 1], words[i + 2], words[i + 3]);
+}
+
 void main() {
   if (cut_out && is_cut_in_picture()) discard;
 
   const float len = length(in_normal);
   const vec3 normal = (gl_FrontFacing ? in_normal : -in_normal) / max(len, 1e-30);
-  out_surface = vec4(normal, dot(in_position_m - frame.camera.eye_m, frame.camera.direction));
-  out_names = uvec4(io.instance, io.material | region() << LABEL_REGION_SHIFT, floatBitsToUint(in_uv.xy));
-  out_motion = motion();
-  out_body = vec4(in_body, float(io.skin_mesh));
+  if (draws(LABEL_NORMAL)) put(normal);
+  if (draws(LABEL_UV)) put(in_uv.xy);
+  if (draws(LABEL_MOTION)) put(motion());
+  if (draws(LABEL_UNWRAP)) put(in_body.xy);
+  if (draws(LABEL_INSTANCE)) put(io.instance);
+  if (draws(LABEL_MATERIAL)) put(io.material);
+  if (draws(LABEL_DEPTH)) put(dot(in_position_m - frame.camera.eye_m, frame.camera.direction));
+  if (draws(LABEL_SKIN_MESH)) put(io.skin_mesh);
+  if (draws(LABEL_THICKNESS)) put(in_body.z);
+  if (draws(LABEL_REGION)) put(region());
+
+  out_words_0 = four_words(0);
+#if TARGETS > 1
+  out_words_1 = four_words(1);
+#endif
+#if TARGETS > 2
+  out_words_2 = four_words(2);
+#endif
+#if TARGETS > 3
+  out_words_3 = four_words(3);
+#endif
 }
