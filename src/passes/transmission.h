@@ -35,7 +35,7 @@ std::vector<std::size_t> mapped_groups(std::size_t terms, std::size_t first_mapp
 /// there.
 double gains_end_mm(const gaussians::SumOfGaussians& profile);
 /// Returns, for each thickness, what a slab of the profile's medium lets through (profile::slab_backs()) over
-/// what the Gaussians say, at most 12, and over the light that its front returns, by which the final pass
+/// what the Gaussians say, at most 12, and over the light that its front returns, by which shading
 /// multiplies all light. 1 of a profile without ShapeLaws.
 std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
                                        std::span<const double> thicknesses_mm);
