@@ -15,10 +15,10 @@
 namespace dermis::cli {
 namespace {
 
-std::string as_text(const std::vector<gpu::DeviceSummary>& devices) {
+std::string as_text(const std::vector<DeviceInfo>& devices) {
   std::string text;
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    const gpu::DeviceSummary& d = devices[i];
+    const DeviceInfo& d = devices[i];
     text += fmt::format("{}: {}\n   {}, Vulkan {}, {:.1f} GiB, driver {}\n", i, d.name, d.type, d.api,
                         static_cast<double>(d.memory_bytes) / (std::uint64_t{1} << 30),
                         d.driver.empty() ? "unknown" : d.driver);
@@ -32,10 +32,10 @@ std::string dumped(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string as_json(const std::vector<gpu::DeviceSummary>& devices) {
+std::string as_json(const std::vector<DeviceInfo>& devices) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    const gpu::DeviceSummary& d = devices[i];
+    const DeviceInfo& d = devices[i];
     list.push_back({{"index", i},
                     {"name", d.name},
                     {"type", d.type},
@@ -93,9 +93,9 @@ int run_cache(bool json, bool clear) {
 }  // namespace
 
 int run_info(bool json) {
-  const std::vector<gpu::DeviceSummary> devices = gpu::list_devices();
+  const std::vector<DeviceInfo> devices = gpu::list_devices();
   std::fputs((json ? as_json(devices) : as_text(devices)).c_str(), stdout);
-  if (std::ranges::any_of(devices, [](const gpu::DeviceSummary& d) { return d.missing.empty(); })) return 0;
+  if (std::ranges::any_of(devices, [](const DeviceInfo& d) { return d.missing.empty(); })) return 0;
   try {
     const gpu::Device device(gpu::Device::Options{});  // says why, in the words that every other command uses
   } catch (const DeviceError& error) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What heads cost in the frames of a host.
+// Measures heads in the frames of a host.
 //   hosts_bench OUT.json HEAD [ROUNDS [TECHNIQUE...]]
 // One head at 2.5, 10 and 50 radii, the row of 16 at 50; targets of 960 x 600 with one and with four samples;
 // light maps and shadow maps of 1024. Three rounds of lambert and texture-space unless told. The head turns,

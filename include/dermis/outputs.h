@@ -117,8 +117,8 @@ struct Results {
   std::span<float> motion_px;
   enum Region : std::uint8_t { no_region, nose, ear, other_skin };
   /// A Region: nose and ears of a head that looks along +Z in its asset's coordinates, found from its shape
-  /// as picture_regions() finds them (docs/truth.md), at the vertices of the skin. `other_skin` is the rest
-  /// of the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
+  /// as picture_regions() finds them (docs/methodology.md), at the vertices of the skin. `other_skin` is the
+  /// rest of the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
   std::span<std::uint8_t> region;
   /// 0: no skin is there. Else 1 + the number of the skin mesh in the asset: parts of it that share a light
   /// map.

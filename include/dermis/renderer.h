@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "dermis/device_info.h"
 #include "dermis/error.h"
 #include "dermis/hooks.h"
 #include "dermis/recorded_work.h"
@@ -123,18 +124,6 @@ namespace vulkan {
 struct Host;  // dermis/vulkan.h
 class HostFrames;
 }  // namespace vulkan
-
-/// A device that Vulkan offers.
-struct DeviceInfo {
-  std::string name, driver;
-  std::string type;                ///< discrete, integrated, virtual, software, other
-  std::string api;                 ///< version of Vulkan, "1.3.230"
-  std::uint64_t memory_bytes = 0;  ///< its largest heap of its own
-  /// What dermis needs and the device has not, a sentence each; empty: Renderer can use it.
-  std::vector<std::string> missing;
-};
-/// Returns all devices, best first, as Renderer::Options::device numbers them. Empty without a driver.
-std::vector<DeviceInfo> list_devices();
 
 /// What a renderer has asked its device for so far. A steady frame of a session adds one submission.
 struct DeviceCounters {

@@ -230,7 +230,7 @@ void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames
 }
 
 void fill_device(Statistics& statistics, gpu::Device& device) {
-  const gpu::DeviceSummary& summary = device.summary();
+  const DeviceInfo& summary = device.summary();
   statistics.device = summary.name;
   statistics.driver = summary.driver;
   statistics.api = summary.api;

@@ -108,17 +108,7 @@ Picture Renderer::render(const Scene& scene, const RenderSettings& settings) {
   return frame.picture();
 }
 
-std::vector<DeviceInfo> list_devices() {
-  std::vector<DeviceInfo> devices;
-  for (const gpu::DeviceSummary& d : gpu::list_devices())
-    devices.push_back({.name = d.name,
-                       .driver = d.driver,
-                       .type = d.type,
-                       .api = d.api,
-                       .memory_bytes = d.memory_bytes,
-                       .missing = d.missing});
-  return devices;
-}
+std::vector<DeviceInfo> list_devices() { return gpu::list_devices(); }
 
 std::vector<std::string> technique_names() {
   std::vector<std::string> names;

@@ -119,7 +119,7 @@ std::vector<std::string> words_of(std::span<const Candidate> candidates) {
 }
 
 const Candidate& usable(const Candidate& candidate) {
-  const DeviceSummary& summary = candidate.summary;
+  const DeviceInfo& summary = candidate.summary;
   if (!summary.missing.empty())
     throw device_error("{} cannot be used: {}", summary.name, fmt::join(summary.missing, "; "));
   return candidate;
@@ -232,7 +232,7 @@ Candidate examine(const InstanceTable& table, VkPhysicalDevice device, std::opti
   facts.depth_samples = plain.limits.framebufferDepthSampleCounts;
   candidate.type = plain.deviceType;
 
-  DeviceSummary& summary = candidate.summary;
+  DeviceInfo& summary = candidate.summary;
   summary.name = plain.deviceName;
   summary.type = type_text(plain.deviceType);
   summary.api = version_text(plain.apiVersion);

@@ -44,7 +44,7 @@ struct Candidate {
   std::uint32_t timestamp_bits = 0;
   VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
   bool anisotropy = false;
-  DeviceSummary summary;
+  DeviceInfo summary;
 };
 /// Examines a device; uses the given queue family, or else the first suitable one.
 Candidate examine(const InstanceTable& table, VkPhysicalDevice device,

@@ -69,7 +69,7 @@ struct Device::State {
   VkQueue queue = VK_NULL_HANDLE;
   std::uint32_t queue_family = 0;
   VkPhysicalDeviceProperties properties{};
-  DeviceSummary summary;
+  DeviceInfo summary;
   DeviceLimits limits;
   std::unique_ptr<MemoryPool> memory;
   VkCommandPool pool = VK_NULL_HANDLE;
@@ -264,7 +264,7 @@ Device::~Device() = default;
 
 VkDevice Device::handle() const { return state_->device; }
 const DeviceTable& Device::vk() const { return state_->vk; }
-const DeviceSummary& Device::summary() const { return state_->summary; }
+const DeviceInfo& Device::summary() const { return state_->summary; }
 const DeviceLimits& Device::limits() const { return state_->limits; }
 const VkPhysicalDeviceProperties& Device::properties() const { return state_->properties; }
 MemoryPool& Device::memory() { return *state_->memory; }
@@ -439,7 +439,7 @@ void Device::end_label(VkCommandBuffer commands) const {
   if (state_->instance_table.end_label != nullptr) state_->instance_table.end_label(commands);
 }
 
-std::vector<DeviceSummary> list_devices() {
+std::vector<DeviceInfo> list_devices() {
   std::vector<Candidate> candidates;
   try {
     const Instance instance(false);
@@ -447,7 +447,7 @@ std::vector<DeviceSummary> list_devices() {
       candidates.push_back(examine(instance.table(), device));
   } catch (const DeviceError&) { return {}; }
   sort_best_first(candidates);
-  std::vector<DeviceSummary> summaries;
+  std::vector<DeviceInfo> summaries;
   for (const Candidate& candidate : candidates) summaries.push_back(candidate.summary);
   return summaries;
 }

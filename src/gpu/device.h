@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "dermis/device_info.h"
 #include "dermis/vulkan.h"
 #include "gpu/vulkan.h"
 
@@ -21,17 +22,8 @@ namespace dermis::gpu {
 
 using vulkan::RequiredFeatures;
 
-/// A physical device as `dermis info` shows it.
-struct DeviceSummary {
-  std::string name, driver, type;    ///< type: discrete, integrated, virtual, software, other
-  std::string api;                   ///< "1.3.230"
-  std::uint64_t memory_bytes = 0;    ///< largest device-local heap
-  std::vector<std::string> missing;  ///< one sentence per requirement that is not met; empty = usable
-};
-
-/// Returns all devices, best first (discrete, integrated, virtual, software; unusable ones last). Empty
-/// without driver or loader.
-std::vector<DeviceSummary> list_devices();
+/// As dermis::list_devices().
+std::vector<DeviceInfo> list_devices();
 
 struct DeviceLimits {
   std::uint32_t max_image_side = 0;  ///< texels, 2D
@@ -86,7 +78,7 @@ class Device {
 
   VkDevice handle() const;
   const DeviceTable& vk() const;
-  const DeviceSummary& summary() const;
+  const DeviceInfo& summary() const;
   const DeviceLimits& limits() const;
   bool format_supports(VkFormat format, VkFormatFeatureFlags features) const;  ///< optimal tiling
   /// Returns the sizes and sample counts of 2D images of this format and usage; nothing if they are not

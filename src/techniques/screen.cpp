@@ -142,6 +142,7 @@ passes::SkinLook Screen::look_of(passes::SkinLook look) const {
   const SkinPart& part = settings_.skin[look.square.mesh];
   look.environment = settings_.environment;
   look.soft_shadows = settings_.soft_shadows;
+  look.samples = settings_.samples;
   look.light_samples = settings_.light_samples;
   look.off_map = part.off_map;
   look.kinds = part.kinds;
@@ -159,9 +160,8 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin, const std::string& 
   if (!settings_.draws_picture() || skin.empty()) return;
   Together<passes::Shade>::In shade;
   for (const auto& [asked, maps] : skin)
-    shade.members.push_back(
-        {{{maps, shadow_, entering_}, entries_},
-         {.look = look_of(asked), .first_part = first_part(asked.square), .samples = settings_.samples}});
+    shade.members.push_back({{{maps, shadow_, entering_}, entries_},
+                             {.look = look_of(asked), .first_part = first_part(asked.square)}});
   plan_->add<Together<passes::Shade>>(name, shade);
 }
 
@@ -171,10 +171,7 @@ void Screen::add_unshaded_reads(const std::vector<SkinOnScreen>& skin, std::uint
   Together<passes::UnshadedReads>::In reads;
   for (const auto& [asked, maps] : skin)
     reads.members.push_back({{{maps, shadow_, entering_}, entries_, counters_},
-                             {.look = look_of(asked),
-                              .first_part = first_part(asked.square),
-                              .samples = settings_.samples,
-                              .slot = slot}});
+                             {.look = look_of(asked), .first_part = first_part(asked.square), .slot = slot}});
   plan_->add<Together<passes::UnshadedReads>>(name, reads);
 }
 
@@ -195,8 +192,7 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
           .mm_per_unit = settings_.skin[square.mesh].mm_per_unit,
           .first_part = first_part(square),
           .first_part_of_head = first_part_[square.instance],
-          .end_part_of_head = first_part_[square.instance + 1],
-          .samples = settings_.samples}});
+          .end_part_of_head = first_part_[square.instance + 1]}});
   }
   plan_->add<Together<passes::ShadeSplit>>(name, split);
 }
@@ -213,8 +209,7 @@ void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
                                                   .ring = settings_.kernel == ScreenKernel::published,
                                                   .shadow_taps = shadow_taps,
                                                   .mm_per_unit = part.mm_per_unit,
-                                                  .first_part = first_part(square),
-                                                  .samples = settings_.samples};
+                                                  .first_part = first_part(square)};
     for (std::size_t c = 0; c < 3; ++c) settings.scattered[c] = static_cast<float>(1 - part.unscattered[c]);
     const passes::SkinLights lights{{}, shadow_, entering_};
     shade.members.push_back({{lights, entries_, curvatures[square.mesh]}, settings});

@@ -9,7 +9,7 @@
 namespace dermis::cli::bench {
 
 std::uint64_t half_of_device(const std::string& device) {
-  for (const gpu::DeviceSummary& summary : gpu::list_devices())
+  for (const DeviceInfo& summary : gpu::list_devices())
     if (summary.name == device && summary.memory_bytes > 0) return summary.memory_bytes / 2;
   return std::uint64_t{2} << 30;
 }

@@ -7,17 +7,10 @@
 #include "passes/labels/label_planes_io.h"
 
 namespace dermis::passes {
-namespace {
-
-// Of a pixel, in the order of their bits.
-constexpr std::array<std::uint64_t, LABEL_COUNT> bytes_of_label{12, 8, 8, 8, 4, 4, 4, 4, 4, 1};
-
-}  // namespace
-
 std::uint64_t plane_offset(std::uint32_t labels, std::uint32_t label, std::uint64_t pixels) {
   std::uint64_t bytes = 0;
   for (std::uint32_t i = 0; i < LABEL_COUNT && 1u << i < label; ++i)
-    if ((labels >> i & 1) != 0) bytes += bytes_of_label[i] * pixels;
+    if ((labels >> i & 1) != 0) bytes += (1u << i == LABEL_REGION ? 1 : 4 * label_words[i]) * pixels;
   return bytes;
 }
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "core/assert.h"
@@ -16,14 +15,10 @@ namespace {
 
 constexpr VkFormat words_format = VK_FORMAT_R32G32B32A32_UINT;
 
-// Words of each label in a pixel, in the order of their bits.
-constexpr std::array<std::uint32_t, LABEL_COUNT> words_of_label{3, 2, 2, 2, 1, 1, 1, 1, 1, 1};
-static_assert(std::accumulate(words_of_label.begin(), words_of_label.end(), 0u) == LABEL_MOST_WORDS);
-
 std::uint32_t words_of(std::uint32_t labels) {
   std::uint32_t words = 0;
   for (std::uint32_t i = 0; i < LABEL_COUNT; ++i)
-    if ((labels >> i & 1) != 0) words += words_of_label[i];
+    if ((labels >> i & 1) != 0) words += label_words[i];
   return words;
 }
 

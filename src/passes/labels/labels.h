@@ -6,12 +6,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 #include "frame/graph.h"
 #include "passes/frame_data.h"
 #include "passes/labels/labels_io.h"
 
 namespace dermis::passes {
+
+/// Words of each label in a pixel, in the order of its bit: labels_io.h.
+inline constexpr std::array<std::uint32_t, LABEL_COUNT> label_words{3, 2, 2, 2, 1, 1, 1, 1, 1, 1};
+static_assert(std::accumulate(label_words.begin(), label_words.end(), 0u) == LABEL_MOST_WORDS);
 
 class Labels {
  public:

@@ -15,11 +15,8 @@ Shade::Out Shade::declare(frame::Declare& d) {
 
 void Shade::prepare(gpu::PipelineLibrary& library) {
   for (const SkinVariant& variant : shading_.variants()) {
-    gpu::Constants constants = shading_.constants(variant);
-    constants.emplace_back("multisampled", settings.samples > 1 ? 1u : 0u);
-    constants.emplace_back("light_samples", settings.look.light_samples);
-    pipelines_[variant.index()] =
-        &library.compute(shading_.through(variant) ? "shade_through.comp" : "shade.comp", constants);
+    const char* shader = shading_.through(variant) ? "shade_through.comp" : "shade.comp";
+    pipelines_[variant.index()] = &library.compute(shader, shading_.constants(variant));
   }
   shading_.prepare(library);
 }

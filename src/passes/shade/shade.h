@@ -15,7 +15,6 @@ class Shade {
   struct Settings {
     SkinLook look;
     std::uint32_t first_part = 0;  ///< of the mesh, as for Ids
-    std::uint32_t samples = 1;     ///< of the ids
   } settings;
   struct In {
     SkinLights lights;

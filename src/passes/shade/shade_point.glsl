@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the triangle of an entry is seen, and its skin there. Common part of the shaders that shade entries.
-// Needs `io` (ShadeIo), passes/listed_entry.glsl, shaders/cut_out.glsl, and what skin_answer.glsl
-// declares.
+// Where the triangle of an entry is seen, and its skin there. Needs listed_entry.glsl, and what
+// skin_answer.glsl declares.
 #include "shaders/bulge.glsl"
 layout(constant_id = 16) const bool multisampled = true;
 layout(constant_id = 23) const int light_samples = 2;  // of a pixel that one surface covers
@@ -13,6 +12,15 @@ struct Seen {
   vec3 beside;  // as share, on its plane: below 0 where the point lies beside the triangle
   bool front;   // its corners turn counter-clockwise
 };
+
+// Returns whether there is an entry of the part for this invocation.
+bool find_entry(out Entry entry) {
+  uint place;
+  if (!find_listed(place)) return false;
+  zero = list[place] >> 31;  // never set: shared/entries_io.h
+  entry = listed(list[place]);
+  return true;
+}
 
 // Returns the mean of some samples of a pixel, in pixels; the middle if they are all. Positions are the
 // standard ones of Vulkan.

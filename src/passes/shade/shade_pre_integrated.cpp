@@ -43,19 +43,12 @@ ShadePreIntegrated::Out ShadePreIntegrated::declare(frame::Declare& d) {
 void ShadePreIntegrated::prepare(gpu::PipelineLibrary& library) {
   const bool all_scatters = settings.scattered == std::array<float, 3>{1, 1, 1};
   for (const SkinVariant& variant : shading_.variants()) {
-    gpu::Constants constants{{"environment", settings.look.environment ? 1u : 0u},
-                             {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
-                             {"off_map", variant.off_map ? 1u : 0u},
-                             {"emits", variant.kind.emits ? 1u : 0u},
-                             {"detailed", variant.kind.detailed ? 1u : 0u},
-                             {"shadow_taps", settings.shadow_taps},
-                             {"unscattered", all_scatters ? 0u : 1u},
-                             {"multisampled", settings.samples > 1 ? 1u : 0u},
-                             {"light_samples", settings.look.light_samples}};
-    const bool through = shading_.through(variant);
-    if (through) shading_.add_through_constants(constants);
+    gpu::Constants constants = shading_.entry_constants(variant);
+    constants.emplace_back("shadow_taps", settings.shadow_taps);
+    constants.emplace_back("unscattered", all_scatters ? 0u : 1u);
     pipelines_[variant.index()] = &library.compute(
-        through ? "shade_pre_integrated_through.comp" : "shade_pre_integrated.comp", constants);
+        shading_.through(variant) ? "shade_pre_integrated_through.comp" : "shade_pre_integrated.comp",
+        constants);
   }
   shading_.prepare(library);
   sampler_ = library.sampler({.filter = gpu::Filter::linear});

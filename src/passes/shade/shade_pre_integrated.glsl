@@ -2,21 +2,9 @@
 // Shades the entries of a part as skin_radiance.glsl with no terms, but light that enters has scattered over
 // a ball as bent as the skin here, and over the edges of shadows: tables, no blur. THROUGH: with transmitted
 // light. Based on: [Pen11] and [FW14] of gaussians/pre_integrated.h.
-#define COMPUTE_SHADING
+#include "passes/shade/listed_entry.glsl"
 #include "passes/shade/pre_integrated_io.h"
-#include "passes/shade/shade_io.h"
-#include "shared/scene_io.h"
-#include "passes/listed_entry.glsl"
-layout(push_constant, scalar) uniform Push { ShadeIo io; };
-layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
 layout(binding = 19, scalar) readonly buffer Curvature { float curvature[]; };
-#include "shaders/skin_vertex.glsl"
-#include "shaders/vertex_pull.glsl"
-#ifdef THROUGH
-layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
-#define TRANSMISSION
-#define transmission through_terms_io.transmission
-#endif
 #include "shaders/skin_answer.glsl"
 #include "passes/shade/along_skin.glsl"
 #include "passes/shade/wide_shadow.glsl"
@@ -162,10 +150,8 @@ vec3 seen_radiance(SeenSkin seen) {
 }
 
 void main() {
-  uint place;
-  if (!find_listed(io.part, place)) return;
-  zero = list[place] >> 31;  // never set: shared/entries_io.h
-  const Entry entry = listed(list[place], io.width, io.first_row);
+  Entry entry;
+  if (!find_entry(entry)) return;
   vec3 radiance = seen_radiance(seen_skin(entry, 0));
   if (light_samples == 2) radiance = 0.5 * (radiance + seen_radiance(seen_skin(entry, 1)));
   imageStore(entries_of_pixels, entry.at, entry_of(radiance));

@@ -22,7 +22,6 @@ class ShadePreIntegrated {
     std::uint32_t shadow_taps = 32;           ///< of the filter of shadows
     double mm_per_unit = 1000;                ///< mm of the asset per metre of the world
     std::uint32_t first_part = 0;             ///< as for Ids
-    std::uint32_t samples = 1;                ///< of the ids
   } settings;
   struct In {
     SkinLights lights;

@@ -22,17 +22,8 @@ ShadeSplit::Out ShadeSplit::declare(frame::Declare& d) {
 
 void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
   for (const SkinVariant& variant : shading_.variants()) {
-    gpu::Constants constants{{"environment", settings.look.environment ? 1u : 0u},
-                             {"soft_shadows", settings.look.soft_shadows ? 1u : 0u},
-                             {"off_map", variant.off_map ? 1u : 0u},
-                             {"emits", variant.kind.emits ? 1u : 0u},
-                             {"detailed", variant.kind.detailed ? 1u : 0u},
-                             {"multisampled", settings.samples > 1 ? 1u : 0u},
-                             {"light_samples", settings.look.light_samples}};
-    const bool through = shading_.through(variant);
-    if (through) shading_.add_through_constants(constants);
-    pipelines_[variant.index()] =
-        &library.compute(through ? "shade_split_through.comp" : "shade_split.comp", constants);
+    const char* shader = shading_.through(variant) ? "shade_split_through.comp" : "shade_split.comp";
+    pipelines_[variant.index()] = &library.compute(shader, shading_.entry_constants(variant));
   }
   shading_.prepare(library);
 

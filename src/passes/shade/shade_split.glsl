@@ -3,20 +3,8 @@
 // blur what enters before it leaves. What is blurred goes to images, what is not to the entries. THROUGH:
 // with transmitted light. Based on: [JWS10] Jimenez, Whelan, Sundstedt, Gutierrez: Real-Time Realistic Skin
 // Translucency. CG&A 30(4), 2010
-#define COMPUTE_SHADING
-#include "passes/shade/shade_io.h"
-#include "shared/scene_io.h"
-#include "passes/listed_entry.glsl"
-layout(push_constant, scalar) uniform Push { ShadeIo io; };
-layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
-#include "shaders/skin_vertex.glsl"
-#include "shaders/vertex_pull.glsl"
+#include "passes/shade/listed_entry.glsl"
 #include "passes/screen_surface.glsl"
-#ifdef THROUGH
-layout(binding = 31, scalar) uniform Terms { ThroughTermsIo through_terms_io; };
-#define TRANSMISSION
-#define transmission through_terms_io.transmission
-#endif
 #include "shaders/skin_answer.glsl"
 #include "passes/shade/along_skin.glsl"
 #ifdef THROUGH
@@ -78,10 +66,8 @@ layout(binding = 18, scalar) uniform Split { SplitIo split; };
 layout(binding = 19, r32ui) uniform readonly uimage2D samples_of_pixels;
 
 void main() {
-  uint place;
-  if (!find_listed(io.part, place)) return;
-  zero = list[place] >> 31;  // never set: shared/entries_io.h
-  const Entry entry = listed(list[place], io.width, io.first_row);
+  Entry entry;
+  if (!find_entry(entry)) return;
   const SeenSkin seen = seen_skin(entry, 0);
   SplitSkin skin = skin_split(seen.s, seen.on.unwrap, split.blurred);
   vec3 middle_m = seen.s.position_m;

@@ -19,7 +19,6 @@ class ShadeSplit {
     double mm_per_unit = 1000;              ///< mm of the asset per metre of the world
     std::uint32_t first_part = 0;           ///< of the mesh, as for Ids
     std::uint32_t first_part_of_head = 0, end_part_of_head = 0;
-    std::uint32_t samples = 1;  ///< of the ids
   } settings;
   struct In {
     SkinLights lights;

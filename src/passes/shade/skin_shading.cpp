@@ -97,29 +97,32 @@ bool SkinShading::through(const SkinVariant& variant) const {
   return through() && variant.lit != SkinVariant::Lit::on_map;
 }
 
-gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
-  const auto terms = static_cast<std::uint32_t>(look_.weights.size());
-  const bool at_pixel = variant.lit == SkinVariant::Lit::at_pixel;
-  gpu::Constants constants{{"term_count", at_pixel ? 0u : terms},
-                           {"entered_term", look_.entered && !at_pixel ? terms - 1 : ~0u},
-                           {"direct", variant.lit != SkinVariant::Lit::on_map ? 1u : 0u},
-                           {"environment", look_.environment ? 1u : 0u},
-                           {"soft_shadows", look_.soft_shadows ? 1u : 0u},
-                           {"off_map", variant.off_map ? 1u : 0u},
-                           {"mixed", look_.mixes && variant.lit == SkinVariant::Lit::mixed ? 1u : 0u},
-                           {"shape_aware", look_.terms.shape ? 1u : 0u},
-                           {"cut_out", variant.kind.cut_out ? 1u : 0u},
-                           {"emits", variant.kind.emits ? 1u : 0u},
-                           {"detailed", variant.kind.detailed ? 1u : 0u}};
-  if (through(variant)) add_through_constants(constants);
-  return constants;
-}
-
-void SkinShading::add_through_constants(gpu::Constants& constants) const {
+gpu::Constants SkinShading::entry_constants(const SkinVariant& variant) const {
+  gpu::Constants constants{
+      {"environment", look_.environment ? 1u : 0u},  {"soft_shadows", look_.soft_shadows ? 1u : 0u},
+      {"off_map", variant.off_map ? 1u : 0u},        {"emits", variant.kind.emits ? 1u : 0u},
+      {"detailed", variant.kind.detailed ? 1u : 0u}, {"multisampled", look_.samples > 1 ? 1u : 0u},
+      {"light_samples", look_.light_samples}};
+  if (!through(variant)) return constants;
   const std::size_t terms = look_.through->profile.terms.size();
   constants.emplace_back("through_terms", static_cast<std::uint32_t>(terms));
   constants.emplace_back("slab_gains", look_.through->profile.shape ? 1u : 0u);
   constants.emplace_back("entering_stored", lights_.entering.valid() ? 1u : 0u);
+  return constants;
+}
+
+gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
+  const auto terms = static_cast<std::uint32_t>(look_.weights.size());
+  const bool at_pixel = variant.lit == SkinVariant::Lit::at_pixel;
+  gpu::Constants constants = entry_constants(variant);
+  constants.insert(constants.end(),
+                   {{"term_count", at_pixel ? 0u : terms},
+                    {"entered_term", look_.entered && !at_pixel ? terms - 1 : ~0u},
+                    {"direct", variant.lit != SkinVariant::Lit::on_map ? 1u : 0u},
+                    {"mixed", look_.mixes && variant.lit == SkinVariant::Lit::mixed ? 1u : 0u},
+                    {"shape_aware", look_.terms.shape ? 1u : 0u},
+                    {"cut_out", variant.kind.cut_out ? 1u : 0u}});
+  return constants;
 }
 
 io::ShadeIo SkinShading::io(const FrameData& frame) const {

@@ -40,6 +40,7 @@ struct SkinLook {
   bool entered = false;       ///< the last weight is that of the light before any blur: MappedTerms
   bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
   bool soft_shadows = false;  ///< lights with a radius cast penumbrae
+  std::uint32_t samples = 1;  ///< of the ids
   /// 1 or 2: points at which an entry is shaded that covers its pixel
   std::uint32_t light_samples = 2;
   /// some triangles have no chart of the unwrap: they are lit per pixel, without scattering
@@ -86,9 +87,10 @@ class SkinShading {
   SkinVariant variant_of(const FrameData& frame, const GpuDraw& draw, const GpuMaterial& material) const;
   /// Returns whether the variant knows transmitted light: its shaders have names of their own.
   bool through(const SkinVariant& variant) const;
+  /// Returns the constants of shaders that read light maps.
   gpu::Constants constants(const SkinVariant& variant) const;
-  /// Adds those that shaders with transmitted light have beside.
-  void add_through_constants(gpu::Constants& constants) const;
+  /// Returns those that every shader of entries has.
+  gpu::Constants entry_constants(const SkinVariant& variant) const;
 
   /// Offers all but what draw_skin() does.
   void offer(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const;

@@ -3,16 +3,9 @@
 // no light. Bilinear units resolve at most 1/256 of a texel: smaller weights count as none. Reads of cut-out
 // skin skip missing texels: of these, reads that find nothing count.
 #version 460
-#define COMPUTE_SHADING
-#include "passes/shade/shade_io.h"
-#include "shared/scene_io.h"
-#include "passes/listed_entry.glsl"
-layout(push_constant, scalar) uniform Push { ShadeIo io; };
-layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
+#include "passes/shade/listed_entry.glsl"
 layout(binding = 41, scalar) buffer Counters { uint counters[]; };
 layout(constant_id = 24) const int counter = 0;
-#include "shaders/skin_vertex.glsl"
-#include "shaders/vertex_pull.glsl"
 #include "passes/shade/skin_radiance.glsl"
 #include "passes/shade/shade_point.glsl"
 
@@ -50,10 +43,8 @@ bool reads_unshaded(SeenSkin seen) {
 }
 
 void main() {
-  uint place;
-  if (!find_listed(io.part, place)) return;
-  zero = list[place] >> 31;  // never set: shared/entries_io.h
-  const Entry entry = listed(list[place], io.width, io.first_row);
+  Entry entry;
+  if (!find_entry(entry)) return;
   if (reads_unshaded(seen_skin(entry, 0))) atomicAdd(counters[counter], 1u);
   if (has_two_points(entry) && reads_unshaded(seen_skin(entry, 1))) atomicAdd(counters[counter], 1u);
 }

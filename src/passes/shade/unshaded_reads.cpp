@@ -21,8 +21,6 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
   for (const SkinVariant& variant : shading_.variants()) {
     if (variant.lit == SkinVariant::Lit::at_pixel) continue;
     gpu::Constants constants = shading_.constants(variant);
-    constants.emplace_back("multisampled", settings.samples > 1 ? 1u : 0u);
-    constants.emplace_back("light_samples", settings.look.light_samples);
     constants.emplace_back("counter", settings.slot);
     pipelines_[variant.index()] = &library.compute("unshaded_reads.comp", constants);
   }

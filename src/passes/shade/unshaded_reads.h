@@ -14,7 +14,6 @@ class UnshadedReads {
   struct Settings {
     SkinLook look;
     std::uint32_t first_part = 0;  ///< as for Shade
-    std::uint32_t samples = 1;     ///< likewise
     std::uint32_t slot = 0;        ///< of the counters
   } settings;
   struct In {

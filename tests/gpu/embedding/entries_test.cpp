@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EmbeddedEntriesDepth,
                          testing::Values(DepthKind{}, DepthKind{.reversed = false},
                                          DepthKind{.format = VK_FORMAT_D16_UNORM}));
 
-// A view of one place is that of another, moved.
+// A view of one place is that of another, moved; the rest of the image stays as the host had it.
 TEST_F(EmbeddedEntries, APartOfAnImageHoldsThePicture) {
   constexpr std::uint32_t border = 16;
   constexpr VkExtent2D whole{side + 3 * border, side + 2 * border};
@@ -115,6 +115,8 @@ TEST_F(EmbeddedEntries, APartOfAnImageHoldsThePicture) {
     const Pixels wanted = rendered(lit_ball(), frame_settings(samples));
     // Corners of triangles round elsewhere: at the rim, samples move from one surface to another.
     EXPECT_GE(psnr_of_all_db(part_of(found, area), wanted), 60) << samples << " samples";
+    // On skin alone a value may be the next half float: one step.
+    if (samples == 1) { EXPECT_LE(largest_difference(part_of(found, area), wanted), 2 * half_rounding); }
   }
 }
 

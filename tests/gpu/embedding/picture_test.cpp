@@ -57,31 +57,6 @@ TEST_F(Embedding, HeadsHideBehindWhatTheHostHasDrawn) {
       }
 }
 
-// The part of a larger image in the middle of which the picture stands; the rest stays as the host had it.
-TEST_F(Embedding, APartOfAnImageHoldsThePicture) {
-  constexpr std::uint32_t border = 16;
-  constexpr VkExtent2D whole{side + 3 * border, side + 2 * border};
-  constexpr VkRect2D area{{2 * border, border}, {side, side}};
-  Frame frame({.options = {.picture = vulkan::PictureTargets{}}, .extent = whole});
-  const Scene scene = lit_ball();
-  frame.frames->update(scene, frame_settings());
-  frame.draw(
-      [&](VkCommandBuffer commands) {
-        frame.host.clear(commands, &frame.colour_image, {3, 3, 3, 3}, nullptr, 0, {{0, 0}, whole});
-        frame.host.clear(commands, &frame.colour_image, {0, 0, 0, 0}, nullptr, 0, area);
-      },
-      area);
-
-  const Pixels found = frame.colour();
-  for (std::uint32_t y = 0; y < whole.height; ++y)
-    for (std::uint32_t x = 0; x < whole.width; ++x)
-      for (std::size_t c = 0; c < 4 && !contains(area, x, y); ++c)
-        ASSERT_EQ(found.at(x, y)[c], 3) << x << ", " << y;
-
-  // Positions round elsewhere, so that a value may be the next half float: one step.
-  EXPECT_LE(largest_difference(part_of(found, area), rendered(scene, frame_settings())), 2 * half_rounding);
-}
-
 std::string text_of(const DeviceCounters& c) {
   return fmt::format("{} allocations, {} buffers, {} images, {} pipelines, {} submissions, {} waits",
                      c.allocations, c.buffers, c.images, c.pipelines, c.submissions, c.waits);

@@ -48,7 +48,7 @@ TEST(NoLoader, SaysWhatToInstall) {
 TEST_F(Devices, AreListedWithWhatThereIsToKnow) {
   const auto devices = list_devices();
   ASSERT_FALSE(devices.empty());
-  for (const DeviceSummary& d : devices) {
+  for (const DeviceInfo& d : devices) {
     EXPECT_FALSE(d.name.empty());
     EXPECT_EQ(d.api.find("1."), 0u) << d.api;
     EXPECT_GT(d.memory_bytes, 1u << 20);

@@ -29,7 +29,7 @@ namespace dermis::gpu {
 class GpuTest : public testing::Test {
  protected:
   void SetUp() override {
-    const std::vector<DeviceSummary> devices = list_devices();
+    const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) GTEST_SKIP() << "no Vulkan device (Debian, Ubuntu: apt install mesa-vulkan-drivers)";
     // Devices of which none serves would turn every test off unseen, so that is a failure.
     for (const std::string& missing : devices[0].missing) ADD_FAILURE() << devices[0].name << ": " << missing;
