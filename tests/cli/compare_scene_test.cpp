@@ -209,7 +209,7 @@ TEST_F(CompareScene, TestScenesAreGenerated) {
   for (const std::string name : {"tilt-0", "tilt-75", "nose", "outside", "thin-ear", "open-curl", "fringe"}) {
     SCOPED_TRACE(name);
     const Result result = run({"compare", "--scene", "test:" + name, "--techniques", "texture-space,lambert",
-                               "--size", "32x18", "--samples", "8", "--map-size", "128", "--shadow-size",
+                               "--size", "32x18", "--samples", "64", "--map-size", "256", "--shadow-size",
                                "256", "--supersample", "1", "--frames", "1", "--json", "-"});
     ASSERT_EQ(result.status, 0) << result.err;
     const json j = json::parse(result.out, nullptr, false);

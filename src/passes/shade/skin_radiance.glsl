@@ -38,12 +38,13 @@ float map_share(float sigma_mm, float uv_per_mm) {
 uvec2 map_origin() { return uvec2(io.map_origin & 0xFFFFu, io.map_origin >> 16); }
 
 // Returns the position of an unwrap coordinate in the pool of light maps, texels: in the square of the head,
-// with its bilinear footprint. Half a texel inside, plus the step to which samplers round: outside the square
-// there may be NaN, which a weight of 0 does not remove. With the step, the extra texel lies inside and
-// weighs at most 1/256.
+// with its bilinear footprint. In steps of 1/256 texel, to which samplers round anyway: the sum is exact
+// then, so that a head has the same bits in every square. Half a texel and one step inside: outside the
+// square there may be NaN, which a weight of 0 does not remove.
 vec2 light_point(vec2 unwrap) {
-  const float margin = 0.5 + 1.0 / 256.0;
-  return clamp(unwrap * float(io.map_side), margin, float(io.map_side) - margin) + vec2(map_origin());
+  const float steps = 256.0, margin = 0.5 + 1.0 / steps;
+  const vec2 in_steps = floor(unwrap * (float(io.map_side) * steps) + 0.5) / steps;
+  return clamp(in_steps, margin, float(io.map_side) - margin) + vec2(map_origin());
 }
 
 // Returns by how much the unwrap coordinates change at which skin reads its light: what leaves towards the
