@@ -2,8 +2,8 @@
 # dermis_install()
 #   What find_package(dermis) needs: the public headers, the static libraries behind dermis_api (found by
 #   following their links, so that a new room joins by itself), and the package files. All in the component
-#   "development". The target to link is dermis::dermis. A room that brings in a new outside library adds it
-#   to dermisConfig.cmake.in.
+#   "development". The target to link is dermis::dermis, or dermis::draw for what draws arrays alone. A room
+#   that brings in a new outside library adds it to dermisConfig.cmake.in.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -29,9 +29,13 @@ endfunction()
 
 function(dermis_install)
   add_library(dermis::dermis ALIAS dermis_api)
+  add_library(dermis::draw ALIAS dermis_api_draw)
   set_target_properties(dermis_api PROPERTIES EXPORT_NAME dermis)
-  target_compile_features(dermis_api INTERFACE cxx_std_20)
-  target_include_directories(dermis_api INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(dermis_api_draw PROPERTIES EXPORT_NAME draw)
+  foreach(library api api_draw)
+    target_compile_features(dermis_${library} INTERFACE cxx_std_20)
+    target_include_directories(dermis_${library} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  endforeach()
 
   set(rooms "")
   dermis_rooms_behind(dermis_api rooms)

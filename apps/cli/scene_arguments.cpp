@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "api/scene_file.h"
+#include "api/prepare/scene_file.h"
 #include "cli/brief_log.h"
 #include "cli/command.h"
 #include "cli/help.h"

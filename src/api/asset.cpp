@@ -5,21 +5,42 @@
 #include <numbers>
 #include <utility>
 
+#include "api/asset_options.h"
 #include "api/asset_state.h"
 #include "api/rig_pose.h"
-#include "api/scene_file.h"
-#include "builtin_head/builtin_head.h"
-#include "core/cache.h"
 #include "core/error.h"
 #include "core/hooks.h"
-#include "core/known_names.h"
-#include "pigments/maps.h"
 #include "scene/framing.h"
 #include "scene/from_arrays.h"
-#include "scene/load.h"
 #include "settings/check.h"
+#include "setup/preparation.h"
 
 namespace dermis {
+namespace api {
+
+scene::LoadOptions load_options(const SceneOptions& options) {
+  check_ranges(options);
+  scene::LoadOptions load;
+  load.unit_scale = options.unit_scale;
+  load.skin_material = options.skin_material;
+  load.clip = options.clip;
+  load.time_s = options.time_s;
+  load.texture_budget_mb = options.texture_budget_mb;
+  return load;
+}
+
+bool changes_pigments(const SceneOptions& options) {
+  return !options.melanin_map.empty() || !options.haemoglobin_map.empty() || options.melanin_factor != 1 ||
+         options.haemoglobin_factor != 1;
+}
+
+std::shared_ptr<const scene::Scene> with_pigments(scene::Scene&& scene, const SceneOptions& options) {
+  if (changes_pigments(options)) setup::preparation("other pigments").repaint(scene, options);
+  return std::make_shared<const scene::Scene>(std::move(scene));
+}
+
+}  // namespace api
+
 namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
@@ -33,63 +54,9 @@ LightType type_of(scene::LightType type) {
   return LightType::point;
 }
 
-scene::LoadOptions load_options(const SceneOptions& options) {
-  check_ranges(options);
-  scene::LoadOptions load;
-  load.unit_scale = options.unit_scale;
-  load.skin_material = options.skin_material;
-  load.clip = options.clip;
-  load.time_s = options.time_s;
-  load.texture_budget_mb = options.texture_budget_mb;
-  return load;
-}
-
-pigments::Wanted wanted_pigments(const SceneOptions& options) {
-  return {.melanin_map = options.melanin_map,
-          .haemoglobin_map = options.haemoglobin_map,
-          .melanin = options.melanin_factor,
-          .haemoglobin = options.haemoglobin_factor};
-}
-
-std::shared_ptr<const scene::Scene> with_pigments(scene::Scene&& scene, const SceneOptions& options) {
-  if (wanted_pigments(options).changes()) pigments::repaint(scene, wanted_pigments(options));
-  return std::make_shared<const scene::Scene>(std::move(scene));
-}
-
-// "built-in:NAME" is no file.
-constexpr std::string_view built_in_prefix = "built-in:";
-
-builtin_head::Tone tone_of(const std::string& name, std::string_view skin) {
-  using builtin_head::Tone;
-  if (skin == "light") return Tone::light;
-  if (skin == "medium") return Tone::medium;
-  if (skin == "dark") return Tone::dark;
-  throw input_error(name, "the built-in head has no skin '{}'; {}", skin,
-                    listed_names(skin, {"light", "medium", "dark"}));
-}
-
 std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
-
-Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
-  const HookScope scope(hooks);
-  const scene::LoadOptions load = load_options(options);
-  if (const std::string name = path.string(); name.starts_with(built_in_prefix)) {
-    const std::string skin = name.substr(built_in_prefix.size());
-    scene::Scene made = builtin_head::make({.tone = tone_of(name, skin), .cache = cache::default_folder()});
-    if (skin != "medium") made.name = name;
-    const bool changed = wanted_pigments(options).changes();
-    return State::make(
-        with_pigments(std::move(made), options),
-        changed ? std::nullopt : std::optional(State::Source{.file = {}, .options = {}, .skin = skin}));
-  }
-  if (api::open_scene_file(path))
-    throw input_error(path.string(), "is a scene file, and an asset is glTF; give a scene file alone");
-
-  return State::make(with_pigments(scene::load_gltf(path, load), options),
-                     State::Source{.file = std::filesystem::absolute(path), .options = options});
-}
 
 Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
@@ -98,14 +65,8 @@ Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options,
                       options.unit_scale);
   if (!options.clip.empty() || options.time_s)
     throw input_error("", "clip and time_s must be empty for arrays");
-  const scene::LoadOptions load = load_options(options);
-  return State::make(with_pigments(scene::scene_from_arrays(arrays, load), options));
-}
-
-Asset Asset::built_in(const Hooks& hooks) {
-  const HookScope scope(hooks);
-  scene::Scene made = builtin_head::make({.cache = cache::default_folder()});
-  return State::make(std::make_shared<const scene::Scene>(std::move(made)), State::Source{});
+  const scene::LoadOptions load = api::load_options(options);
+  return State::make(api::with_pigments(scene::scene_from_arrays(arrays, load), options));
 }
 
 const std::string& Asset::name() const { return state_->data->name; }

@@ -9,7 +9,6 @@
 
 #include "api/asset_state.h"
 #include "api/rig_pose.h"
-#include "api/scene_file.h"
 #include "api/scene_state.h"
 #include "api/vectors.h"
 #include "core/assert.h"
@@ -131,20 +130,6 @@ Scene::Scene(const Asset& asset) : Scene() {
                               .carrier = State::Carrier{.instance = id, .number = i}});
   state_->light_changes = next_change();
 }
-
-Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
-  const HookScope scope(hooks);
-  const bool is_built_in = path.string().starts_with("built-in:");
-  if (const auto file = is_built_in ? std::nullopt : api::open_scene_file(path))
-    return api::load_scene_file(file->root(), path, options);
-  return Scene(Asset::load(path, options));
-}
-
-void Scene::save(const std::filesystem::path& path) const {
-  write_file(path, api::scene_file_text(*this, path));
-}
-
-Scene Scene::built_in(const Hooks& hooks) { return Scene(Asset::built_in(hooks)); }
 
 std::string Scene::name() const {
   if (!state_->name.empty()) return state_->name;

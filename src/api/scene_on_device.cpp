@@ -9,12 +9,10 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/cache.h"
 #include "core/hooks.h"
 #include "core/warnings.h"
-#include "environment/body_shape.h"
 #include "passes/labels/labels.h"
-#include "regions/parts.h"
+#include "setup/preparation.h"
 
 namespace dermis::api {
 namespace {
@@ -47,11 +45,11 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
   if (asset.bent_normal.size() == meshes) return;
 
   const UploadTime time(asset);
+  const setup::Preparation& prepare = setup::preparation("the surroundings that skin sees");
   Steps steps("what the skin sees of its surroundings", meshes - asset.bent_normal.size());
   for (std::size_t i = asset.bent_normal.size(); i < meshes; ++i) {
-    environment::Occlusion seen =
-        environment::cached_occlusion(*asset.subject.scene, asset.subject.skin[i], cache::default_folder(),
-                                      {.side = environment::occlusion_side(meshes)});
+    environment::Occlusion seen = prepare.occlusion(*asset.subject.scene, asset.subject.skin[i],
+                                                    {.side = environment::occlusion_side(meshes)});
     asset.gpu->skin[i].bent_normal =
         passes::unwrap_map(device, asset.gpu->skin[i].name + " bent normal", seen.side, {&seen.values});
     // Free what the device has now; each new sky needs only the rest.
@@ -65,10 +63,10 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
 void add_shape(gpu::Device& device, SharedAsset& asset) {
   if (asset.has_shape) return;
   const UploadTime time(asset);
+  const setup::Preparation& prepare = setup::preparation("the shape of the body");
   Steps steps("the shape of the body", asset.subject.skin.size());
   for (std::size_t i = 0; i < asset.subject.skin.size(); ++i) {
-    const auto shape =
-        environment::cached_body_shape(*asset.subject.scene, asset.subject.skin[i], cache::default_folder());
+    const auto shape = prepare.body_shape(*asset.subject.scene, asset.subject.skin[i]);
     asset.gpu->give_shape(device, i, asset.subject.skin[i], shape);
     steps.done();
   }
@@ -79,11 +77,11 @@ void add_shape(gpu::Device& device, SharedAsset& asset) {
 void add_label_vertices(gpu::Device& device, SharedAsset& asset) {
   if (asset.has_label_vertices) return;
   const UploadTime time(asset);
-  const auto parts = regions::parts_of_skin(*asset.subject.scene, asset.subject.skin);
+  const setup::Preparation& prepare = setup::preparation("labels of nose, ears and thickness");
+  const auto parts = prepare.parts_of_skin(*asset.subject.scene, asset.subject.skin);
   Steps steps("the shape of the body", parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto shape =
-        environment::cached_body_shape(*asset.subject.scene, asset.subject.skin[i], cache::default_folder());
+    const auto shape = prepare.body_shape(*asset.subject.scene, asset.subject.skin[i]);
     std::vector<io::LabelVertexIo> vertices;
     for (std::size_t v = 0; v < parts[i].size(); ++v)
       vertices.push_back({.part = parts[i][v], .thickness_mm = shape[v].thickness_mm});

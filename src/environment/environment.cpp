@@ -3,28 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numbers>
 
 #include "core/error.h"
-#include "core/known_names.h"
 #include "core/log.h"
-#include "image/codec.h"
 
 namespace dermis::environment {
 
-namespace {
-
-// Eight times the resolution that skin or its reflections need, in 100 MB.
-constexpr std::uint64_t most_pixels = 4096 * 2048;
-
-image::ImageF load_radiance(const std::filesystem::path& path) {
-  try {
-    return image::load_image_f(path, {}, most_pixels);
-  } catch (const std::bad_alloc&) { throw input_error(path.string(), "needs more memory than there is"); }
-}
-
-// Takes what is below 0 as 0. `where` names the picture in warnings.
 Environment checked(Environment e, const std::string& where) {
   std::size_t negative = 0;
   for (float& value : e.radiance.values)
@@ -37,12 +22,6 @@ Environment checked(Environment e, const std::string& where) {
     warn("{}: {} x {} pixels is not twice as wide as high; it is stretched over all directions as if it were",
          where, e.radiance.width, e.radiance.height);
   return e;
-}
-
-}  // namespace
-
-Environment load(const std::filesystem::path& path) {
-  return checked({.name = path.filename().string(), .radiance = load_radiance(path)}, path.string());
 }
 
 void check_size(const std::string& name, int width, int height, std::size_t values) {
@@ -59,15 +38,6 @@ Environment from_pixels(const std::string& name, int width, int height, const st
     throw input_error(name, "has a value that is not finite");
   return checked({.name = name, .radiance = {.width = width, .height = height, .channels = 3, .values = rgb}},
                  name);
-}
-
-Environment from_name_or_file(const std::string& name) {
-  if (name == "studio") return studio();
-  std::error_code error;
-  if (!std::filesystem::exists(name, error))
-    throw input_error(name, "no such environment: neither a file (.hdr, .exr) nor the built-in 'studio'{}",
-                      did_you_mean(name, {"studio"}));
-  return load(name);
 }
 
 glm::dvec3 direction_of(double u, double v) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
@@ -27,6 +28,12 @@ struct Environment {
 /// Warns about infinite, NaN and negative pixels (taken as 0) and about a picture that is not twice as wide
 /// as high (stretched over the sphere).
 Environment load(const std::filesystem::path& path);
+
+/// Eight times the resolution that skin or its reflections need, in 100 MB.
+inline constexpr std::uint64_t most_pixels = 4096 * 2048;
+
+/// Takes negative radiance as 0, and warns of what load() names. `where` names the picture in warnings.
+Environment checked(Environment environment, const std::string& where);
 
 /// Returns the built-in studio: a large soft light at the left front, a weaker one at the right, a strip from
 /// behind, a grey room. Its mean radiance over the sphere is 0.5 to 0.6.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/shrink.h"
 
 namespace dermis::image {
 
@@ -32,15 +33,6 @@ struct PictureHeader {
 /// Reads the header. Throws InputError as decode_image8 does, as far as a header shows.
 PictureHeader read_header8(std::span<const std::byte> bytes, const std::string& where,
                            const DecodeLimits& limits = {});
-
-/// How a picture is downsampled while it is read: both sides are halved `halvings` times (rounded down, at
-/// least 1), and each pixel is the exact average of its area. `srgb`: averages colours in linear light,
-/// weighted by alpha; else plain data.
-struct Shrink {
-  int halvings = 0;
-  bool srgb = false;
-  bool deep = false;  ///< fills Image8::rgba16: of heights steps of 8 bits would show
-};
 
 /// Returns the most bytes that decode_image8 takes besides the returned picture: sums of a downsampled
 /// interlaced picture, coefficients of a progressive one.

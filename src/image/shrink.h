@@ -8,9 +8,18 @@
 #include <span>
 #include <vector>
 
-#include "image/codec.h"
+#include "image/image.h"
 
 namespace dermis::image {
+
+/// How a picture is downsampled while it is read: both sides are halved `halvings` times (rounded down, at
+/// least 1), and each pixel is the exact average of its area. `srgb`: averages colours in linear light,
+/// weighted by alpha; else plain data.
+struct Shrink {
+  int halvings = 0;
+  bool srgb = false;
+  bool deep = false;  ///< fills Image8::rgba16: of heights steps of 8 bits would show
+};
 
 /// Returns a side after `halvings`: rounded down, at least 1.
 int halved(int side, int halvings);

@@ -10,8 +10,8 @@
 #include <span>
 #include <tuple>
 
-#include "image/codec.h"
 #include "image/image.h"
+#include "image/shrink.h"
 
 namespace dermis::scene {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "image/codec.h"
+#include "image/shrink.h"
 #include "scene/scene.h"
 
 namespace dermis::scene {

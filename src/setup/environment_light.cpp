@@ -9,6 +9,7 @@
 #include "image/colour.h"
 #include "passes/gpu_scene.h"
 #include "setup/background.h"
+#include "setup/preparation.h"
 
 namespace dermis::setup {
 namespace {
@@ -62,7 +63,9 @@ std::optional<EnvironmentSource> choose_environment(const RenderSettings& settin
 }
 
 environment::Environment read_environment(const EnvironmentSource& source) {
-  if (!source.pixels.rgb) return environment::from_name_or_file(source.name);
+  if (source.name == "studio") return environment::studio();
+  if (!source.pixels.rgb)
+    return preparation("the environment '" + source.name + "'").environment(source.name);
   return environment::from_pixels("environment", source.pixels.width, source.pixels.height,
                                   *source.pixels.rgb);
 }

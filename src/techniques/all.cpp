@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <array>
+#include <vector>
 
 #include "core/error.h"
 #include "core/known_names.h"
@@ -15,25 +15,25 @@
 namespace dermis::techniques {
 namespace {
 
-// clang-format off
-constexpr std::array all{
-    &texture_space,
-    &lambert,
-    &screen_gaussians,
-    &separable,
-    &burley_disc,
-    &pre_integrated,
-    &published,
-};
-// clang-format on
+std::vector<const Technique*>& all() {
+  static std::vector<const Technique*> list{&texture_space, &lambert,        &screen_gaussians, &separable,
+                                            &burley_disc,   &pre_integrated, &published};
+  return list;
+}
 
 }  // namespace
 
-std::span<const Technique* const> techniques() { return all; }
+std::span<const Technique* const> techniques() { return all(); }
+
+void add(const Technique& technique) {
+  for (const Technique* t : all())
+    if (t->name == technique.name) throw input_error("technique", "'{}' is in the list", technique.name);
+  all().push_back(&technique);
+}
 
 const Technique& find_technique(std::string_view name) {
   std::vector<std::string_view> names;
-  for (const Technique* t : all) {
+  for (const Technique* t : all()) {
     if (t->name == name) return *t;
     names.push_back(t->name);
   }

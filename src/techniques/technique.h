@@ -297,6 +297,9 @@ struct Technique {
 
 /// Returns all techniques, in the order in which users see them; the first is the default.
 std::span<const Technique* const> techniques();
+/// Adds one that does not ship with dermis, behind the others; before any renderer is made, from one thread.
+/// Must outlive them. Throws InputError: the list has this name.
+void add(const Technique& technique);
 /// Returns the technique of this name. Throws InputError if there is none (lists the names).
 const Technique& find_technique(std::string_view name);
 

@@ -35,6 +35,25 @@ size=$(od -An -tu1 -j16 -N8 "$place/portrait.png" | awk '{print $3 * 256 + $4 "x
 [ "$(stat -c %s "$place/portrait.png")" -gt 8000 ] ||
   fail "portrait.png shows nothing: $(stat -c %s "$place/portrait.png") bytes"
 
+# What draws arrays alone finds and links no library for rays or files.
+mkdir "$place/alone"
+cp "$source_folder/tests/gpu/draw_alone/draw_alone_test.cpp" "$place/alone"
+cat >"$place/alone/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(alone LANGUAGES C CXX)
+find_package(dermis 0.2 REQUIRED COMPONENTS draw)
+find_package(GTest REQUIRED)
+add_executable(alone draw_alone_test.cpp)
+target_link_libraries(alone PRIVATE dermis::draw GTest::gtest_main)
+CMAKE
+quiet "$cmake" -S "$place/alone" -B "$place/alone/build" -G "$generator" \
+  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" \
+  -DCMAKE_C_COMPILER="$c" -DCMAKE_PREFIX_PATH="$place/installed"
+quiet "$cmake" --build "$place/alone/build"
+grep -qiE "embree|openexr|draco|tbb" "$place/alone/build/CMakeCache.txt" &&
+  fail "find_package(dermis COMPONENTS draw) looks for libraries that it does not need"
+quiet "$place/alone/build/alone"
+
 # Errors arrive as exceptions across the installed library.
 if "$place/build/portrait" "$place/other.png" "$place/missing.glb" 2> "$place/log"; then
   fail "a missing head is no error"

@@ -10,8 +10,8 @@
 #include <set>
 #include <thread>
 
-#include "api/asset_files.h"
 #include "api/fingerprint.h"
+#include "api/prepare/asset_files.h"
 #include "cli/picture_hints.h"
 #include "cli/progress.h"
 #include "cli/sequence/frames.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "api/scene_file.h"
+#include "api/prepare/scene_file.h"
 #include "api/scene_state.h"
 #include "cli/bench/recorded.h"
 #include "gaussians/exchange.h"

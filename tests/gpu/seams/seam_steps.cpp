@@ -9,9 +9,9 @@
 #include <optional>
 #include <tuple>
 
+#include "api/prepare/reference_setup.h"
 #include "rays/surface_point.h"
 #include "reference/camera_ray.h"
-#include "setup/reference_setup.h"
 
 namespace dermis::tests {
 namespace {
@@ -29,7 +29,7 @@ struct Sample {
 class Pixels {
  public:
   Pixels(const Scene& scene, const RenderSettings& settings)
-      : view_(setup::reference_setup(api::placed_scene(scene), settings)), rays_(api::only_asset(scene)) {
+      : view_(api::reference_setup(api::placed_scene(scene), settings)), rays_(api::only_asset(scene)) {
     const glm::dvec3 light_m(view_.lights.at(0).position_m);
 
     samples_.resize(static_cast<std::size_t>(view_.width) * static_cast<std::size_t>(view_.height));

@@ -11,7 +11,7 @@
 
 #include "dermis/cancelled.h"
 #include "environment/environment.h"
-#include "environment/sky_rays.h"
+#include "environment/prepare/sky_rays.h"
 #include "rays/ray_scene.h"
 #include "scene/primitives.h"
 #include "support/log_lines.h"

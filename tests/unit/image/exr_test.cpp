@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "image/colour.h"
-#include "image/formats.h"
+#include "image/files/formats.h"
 #include "pictures.h"
 #include "support/log_lines.h"
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-#include "image/formats.h"
+#include "image/files/formats.h"
 #include "pictures.h"
 #include "support/log_lines.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "image/formats.h"
+#include "image/files/formats.h"
 #include "pictures.h"
 
 namespace dermis::image::test {

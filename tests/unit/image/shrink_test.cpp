@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "image/colour.h"
-#include "image/formats.h"
+#include "image/files/formats.h"
 #include "image/resize.h"
 #include "pictures.h"
 #include "support/log_lines.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "api/scene_file.h"
+#include "api/prepare/scene_file.h"
 #include "api/scene_state.h"
 #include "dermis/error.h"
 #include "support/files.h"

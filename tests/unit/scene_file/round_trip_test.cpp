@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "api/scene_file.h"
+#include "api/prepare/scene_file.h"
 #include "api/scene_state.h"
 #include "dermis/error.h"
 #include "support/files.h"

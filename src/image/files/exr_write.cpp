@@ -13,7 +13,7 @@
 
 #include "core/error.h"
 #include "image/colour.h"
-#include "image/formats.h"
+#include "image/files/formats.h"
 #include "image/layers.h"
 
 namespace dermis::image::formats {

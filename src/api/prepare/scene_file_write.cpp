@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "api/scene_file.h"
+#include "api/prepare/scene_file.h"
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "core/file.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "api/asset_files.h"
+#include "api/prepare/asset_files.h"
 
 #include <filesystem>
 #include <set>

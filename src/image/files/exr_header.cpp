@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Based on: the OpenEXR file layout, openexr.com, "OpenEXR File Layout" (version 2 files).
-#include "image/exr_header.h"
+#include "image/files/exr_header.h"
 
 #include <algorithm>
 #include <cstring>

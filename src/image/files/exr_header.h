@@ -3,7 +3,7 @@
 // as a header declares.
 #pragma once
 
-#include "image/formats.h"
+#include "image/files/formats.h"
 
 namespace dermis::image::formats {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "environment/sky_rays.h"
+#include "environment/prepare/sky_rays.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "regions/regions.h"
 
+#include "api/prepare/reference_setup.h"
 #include "api/scene_state.h"
 #include "core/hooks.h"
 #include "dermis/reference.h"
-#include "setup/reference_setup.h"
 
 namespace dermis {
 
@@ -12,7 +12,7 @@ std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSetti
                                            const Hooks& hooks) {
   const HookScope scope(hooks);
   const setup::PlacedScene placed = api::placed_scene(scene);
-  const reference::RenderSetup setup = setup::reference_setup(placed, settings);
+  const reference::RenderSetup setup = api::reference_setup(placed, settings);
   const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
   const rays::RayScene rays(*flat);
   std::vector<PictureRegion> out;

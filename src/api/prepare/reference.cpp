@@ -10,6 +10,7 @@
 
 #include "api/fingerprint.h"
 #include "api/memory.h"
+#include "api/prepare/reference_setup.h"
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "core/file.h"
@@ -27,7 +28,6 @@
 #include "settings/check.h"
 #include "setup/choose.h"
 #include "setup/environment_light.h"
-#include "setup/reference_setup.h"
 
 namespace dermis {
 namespace {
@@ -112,7 +112,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
 
   reference::Job job;
   job.model = model_of(r.model);
-  job.setup = setup::reference_setup(placed, s);
+  job.setup = api::reference_setup(placed, s);
   if (const auto source = setup::choose_environment(s, of_scene)) {
     environment::Environment environment = setup::read_environment(*source);
     steps.done();

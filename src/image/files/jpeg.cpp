@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/log.h"
-#include "image/formats.h"
+#include "image/files/formats.h"
 
 namespace dermis::image::formats {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "image/formats.h"
+#include "image/files/formats.h"
 #include "image/layers.h"
 
 namespace dermis::image::formats {

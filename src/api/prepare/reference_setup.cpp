@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "setup/reference_setup.h"
+#include "api/prepare/reference_setup.h"
 
 #include <cmath>
 
@@ -8,10 +8,10 @@
 #include "setup/choose.h"
 #include "setup/frame_setup.h"
 
-namespace dermis::setup {
+namespace dermis::api {
 
-reference::RenderSetup reference_setup(const PlacedScene& scene, const RenderSettings& s) {
-  check_settings(s);
+reference::RenderSetup reference_setup(const setup::PlacedScene& scene, const RenderSettings& s) {
+  setup::check_settings(s);
   if (s.camera.heads != 1)
     throw input_error("", "camera.heads must be 1 for the reference, got {}", s.camera.heads);
   if (static_cast<std::int64_t>(s.output.width) * s.output.height > std::int64_t{1} << 26)
@@ -19,14 +19,14 @@ reference::RenderSetup reference_setup(const PlacedScene& scene, const RenderSet
                       "output.width x output.height, {}x{}, has more than {} pixels, too many for the sums "
                       "of the reference",
                       s.output.width, s.output.height, 1 << 26);
-  if (placed_heads(scene, s).empty()) return {};
-  const HeadSpheres spheres = head_spheres(scene, s);
+  if (setup::placed_heads(scene, s).empty()) return {};
+  const setup::HeadSpheres spheres = setup::head_spheres(scene, s);
   if (!(spheres.middle.radius_m > 0))
     throw input_error(scene.name, "has nothing to see: all its triangles lie at one point");
   reference::RenderSetup setup;
-  setup.camera = choose_camera(scene, s, spheres);
+  setup.camera = setup::choose_camera(scene, s, spheres);
   setup.width = s.output.width, setup.height = s.output.height;
-  setup.lights = choose_lights(scene, s, spheres);
+  setup.lights = setup::choose_lights(scene, s, spheres);
   setup.ambient = s.lighting.ambient;
   setup.radiance_scale = std::exp2(s.output.exposure_ev.value_or(0));
   setup.specular = s.lighting.specular, setup.white_albedo = s.lighting.white_albedo;
@@ -34,4 +34,4 @@ reference::RenderSetup reference_setup(const PlacedScene& scene, const RenderSet
   return setup;
 }
 
-}  // namespace dermis::setup
+}  // namespace dermis::api

@@ -6,8 +6,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 
+#include "api/prepare/scene_file.h"
 #include "api/rig_pose.h"
-#include "api/scene_file.h"
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "core/file.h"

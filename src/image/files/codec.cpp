@@ -11,7 +11,7 @@
 #include "core/file.h"
 #include "core/log.h"
 #include "image/colour.h"
-#include "image/formats.h"
+#include "image/files/formats.h"
 
 namespace dermis::image {
 

@@ -6,10 +6,10 @@
 #include "reference/settings.h"
 #include "setup/placed_scene.h"
 
-namespace dermis::setup {
+namespace dermis::api {
 
 /// Returns what the reference renders. Throws InputError: a setting out of range or that only the renderer
 /// knows (several heads, a picture of more than 2^26 pixels), an empty scene.
-reference::RenderSetup reference_setup(const PlacedScene& scene, const RenderSettings& settings);
+reference::RenderSetup reference_setup(const setup::PlacedScene& scene, const RenderSettings& settings);
 
-}  // namespace dermis::setup
+}  // namespace dermis::api

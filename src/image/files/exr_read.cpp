@@ -11,8 +11,8 @@
 
 #include "core/error.h"
 #include "dermis/cancelled.h"
-#include "image/exr_header.h"
-#include "image/formats.h"
+#include "image/files/exr_header.h"
+#include "image/files/formats.h"
 
 namespace dermis::image::formats {
 

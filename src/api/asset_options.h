@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+/// Options of an asset, whether it comes from a file or from arrays.
+#pragma once
+
+#include <memory>
+
+#include "dermis/asset.h"
+#include "scene/load.h"
+#include "scene/scene.h"
+
+namespace dermis::api {
+
+/// Throws InputError: one is out of its range.
+scene::LoadOptions load_options(const SceneOptions& options);
+
+/// Returns whether the skin is to have other pigments than its colour map says.
+bool changes_pigments(const SceneOptions& options);
+/// Gives it these pigments. Throws InputError: see pigments::repaint().
+std::shared_ptr<const scene::Scene> with_pigments(scene::Scene&& scene, const SceneOptions& options);
+
+}  // namespace dermis::api

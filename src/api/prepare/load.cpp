@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "api/asset_options.h"
+#include "api/asset_state.h"
+#include "api/prepare/scene_file.h"
+#include "builtin_head/builtin_head.h"
+#include "core/cache.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/hooks.h"
+#include "core/known_names.h"
+#include "dermis/scene.h"
+#include "scene/load.h"
+
+namespace dermis {
+namespace {
+
+// "built-in:NAME" is no file.
+constexpr std::string_view built_in_prefix = "built-in:";
+
+builtin_head::Tone tone_of(const std::string& name, std::string_view skin) {
+  using builtin_head::Tone;
+  if (skin == "light") return Tone::light;
+  if (skin == "medium") return Tone::medium;
+  if (skin == "dark") return Tone::dark;
+  throw input_error(name, "the built-in head has no skin '{}'; {}", skin,
+                    listed_names(skin, {"light", "medium", "dark"}));
+}
+
+}  // namespace
+
+Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
+  const HookScope scope(hooks);
+  const scene::LoadOptions load = api::load_options(options);
+  if (const std::string name = path.string(); name.starts_with(built_in_prefix)) {
+    const std::string skin = name.substr(built_in_prefix.size());
+    scene::Scene made = builtin_head::make({.tone = tone_of(name, skin), .cache = cache::default_folder()});
+    if (skin != "medium") made.name = name;
+    const bool changed = api::changes_pigments(options);
+    return State::make(
+        api::with_pigments(std::move(made), options),
+        changed ? std::nullopt : std::optional(State::Source{.file = {}, .options = {}, .skin = skin}));
+  }
+  if (api::open_scene_file(path))
+    throw input_error(path.string(), "is a scene file, and an asset is glTF; give a scene file alone");
+
+  return State::make(api::with_pigments(scene::load_gltf(path, load), options),
+                     State::Source{.file = std::filesystem::absolute(path), .options = options});
+}
+
+Asset Asset::built_in(const Hooks& hooks) {
+  const HookScope scope(hooks);
+  scene::Scene made = builtin_head::make({.cache = cache::default_folder()});
+  return State::make(std::make_shared<const scene::Scene>(std::move(made)), State::Source{});
+}
+
+Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {
+  const HookScope scope(hooks);
+  const bool is_built_in = path.string().starts_with(built_in_prefix);
+  if (const auto file = is_built_in ? std::nullopt : api::open_scene_file(path))
+    return api::load_scene_file(file->root(), path, options);
+  return Scene(Asset::load(path, options));
+}
+
+void Scene::save(const std::filesystem::path& path) const {
+  write_file(path, api::scene_file_text(*this, path));
+}
+
+Scene Scene::built_in(const Hooks& hooks) { return Scene(Asset::built_in(hooks)); }
+
+}  // namespace dermis

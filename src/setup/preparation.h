@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+/// Rays and files behind an interface, so that a program that draws from arrays links no library for them.
+/// dermis::dermis implements it (src/api/prepare/preparation.cpp), dermis::draw does not.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dermis/asset.h"
+#include "environment/environment.h"
+#include "environment/occlusion.h"
+#include "scene/curvature.h"
+#include "scene/scene.h"
+#include "scene/unwrap.h"
+
+namespace dermis::setup {
+
+/// Each throws as the function that it stands for.
+struct Preparation {
+  environment::Environment (*environment)(const std::string& name_or_file);
+  environment::Occlusion (*occlusion)(const scene::Scene&, const scene::SkinMesh&,
+                                      const environment::OcclusionSettings&);
+  std::vector<scene::VertexShape> (*body_shape)(const scene::Scene&, const scene::SkinMesh&);
+  std::vector<std::vector<glm::vec2>> (*parts_of_skin)(const scene::Scene&, std::span<const scene::SkinMesh>);
+  void (*repaint)(scene::Scene&, const SceneOptions&);  ///< other melanin and haemoglobin
+};
+
+/// Throws InputError where the program does not link dermis::dermis; `wanted` names what needs it.
+const Preparation& preparation(std::string_view wanted);
+
+}  // namespace dermis::setup
