@@ -47,7 +47,7 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
   if (asset.bent_normal.size() == meshes) return;
 
   const UploadTime time(asset);
-  Steps steps("what the skin sees of its surroundings", meshes - asset.bent_normal.size());
+  Steps steps("occlusion of the surroundings", meshes - asset.bent_normal.size());
   for (std::size_t i = asset.bent_normal.size(); i < meshes; ++i) {
     environment::Occlusion seen =
         environment::cached_occlusion(*asset.subject.scene, asset.subject.skin[i], cache::default_folder(),
