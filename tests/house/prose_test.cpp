@@ -6,11 +6,11 @@
 
 namespace {
 
-house::SourceFile file(const std::string& path, std::vector<std::string> lines) {
+house::SourceFile source(const std::string& path, std::vector<std::string> lines) {
   return {path, std::move(lines)};
 }
 
-std::vector<std::string> texts(const std::vector<house::Sentence>& sentences) {
+std::vector<std::string> read(const std::vector<house::Sentence>& sentences) {
   std::vector<std::string> all;
   all.reserve(sentences.size());
   for (const house::Sentence& sentence : sentences) all.push_back(house::trimmed(sentence.text));
@@ -19,20 +19,20 @@ std::vector<std::string> texts(const std::vector<house::Sentence>& sentences) {
 
 TEST(Prose, ReadsComments) {
   const auto sentences = house::sentences_of_comments(
-      file("src/a.h", {"// SPDX-License-Identifier: MIT", "/// One two.", "/// Three", "///   four = five;",
-                       "/// - six", "///   seven", "int a;  ///< eight, e.g. nine", "        ///< ten",
-                       "const char* b = \"http://eleven\";  // twelve", "//", "// thirteen"}));
-  EXPECT_EQ(texts(sentences), (std::vector<std::string>{"One two.", "Three", "six", "eight, e.g nine ten",
-                                                        "twelve", "thirteen"}));
+      source("src/a.h", {"// SPDX-License-Identifier: MIT", "/// One two.", "/// Three", "///   four = five;",
+                         "/// - six", "///   seven", "int a;  ///< eight, e.g. nine", "        ///< ten",
+                         "const char* b = \"http://eleven\";  // twelve", "//", "// thirteen"}));
+  EXPECT_EQ(read(sentences), (std::vector<std::string>{"One two.", "Three", "six", "eight, e.g nine ten",
+                                                       "twelve", "thirteen"}));
   EXPECT_EQ(sentences[3].line, 7u);
   EXPECT_EQ(sentences[3].words, 4);
 }
 
 TEST(Prose, ReadsTextsOfPrograms) {
-  const auto sentences = house::sentences_of_texts(
-      file("src/a.cpp", {"#include \"a b.h\"", "error(\"one two. \"", "      \"three \\\"four\\\"\\nfive\");",
-                         "'\"'; f(\"six\", \"seven {}\", R\"(eight nine)\");  // \"ten eleven\""}));
-  EXPECT_EQ(texts(sentences), (std::vector<std::string>{"one two.", "three \"four\"", "five", "seven {}"}));
+  const auto sentences = house::sentences_of_texts(source(
+      "src/a.cpp", {"#include \"a b.h\"", "error(\"one two. \"", "      \"three \\\"four\\\"\\nfive\");",
+                    "'\"'; f(\"six\", \"seven {}\", R\"(eight nine)\");  // \"ten eleven\""}));
+  EXPECT_EQ(read(sentences), (std::vector<std::string>{"one two.", "three \"four\"", "five", "seven {}"}));
   EXPECT_EQ(sentences[0].line, 2u);
 }
 
@@ -45,8 +45,9 @@ TEST(Prose, KnowsAClauseForASubject) {
 
 TEST(Prose, FindsHardComments) {
   const std::vector<house::SourceFile> tree{
-      file("src/a.cpp", {"// What it is. One two three", "int a;  // one two three four"}),
-      file("include/a.h", {"/// one two three four five"}), file("tests/a.cpp", {"// What it is, and was"})};
+      source("src/a.cpp", {"// What it is. One two three", "int a;  // one two three four"}),
+      source("include/a.h", {"/// one two three four five"}),
+      source("tests/a.cpp", {"// What it is, and was"})};
   const house::HardComments hard = house::hard_comments(tree, 3);
   ASSERT_EQ(hard.clauses.size(), 1u);
   EXPECT_EQ(hard.clauses[0].path, "src/a.cpp");
@@ -57,8 +58,8 @@ TEST(Prose, FindsHardComments) {
 
 TEST(Prose, FindsHardTexts) {
   const std::vector<house::SourceFile> tree{
-      file("apps/a.cpp", {"f(\"one two three four\");", "f(\"what it does\");", "f(\"what\");"}),
-      file("tests/a.cpp", {"f(\"one two three four\");"})};
+      source("apps/a.cpp", {"f(\"one two three four\");", "f(\"what it does\");", "f(\"what\");"}),
+      source("tests/a.cpp", {"f(\"one two three four\");"})};
   EXPECT_EQ(house::check_texts(tree, 3),
             (house::Violations{"apps/a.cpp:1: a sentence of 4 words: one two three four",
                                "apps/a.cpp:2: the subject is a clause: what it does"}));
