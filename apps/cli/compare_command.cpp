@@ -281,15 +281,15 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("compare",
-                                         "how far two pictures, or the techniques and ground truth of a "
-                                         "scene, are apart: FLIP, PSNR, relative error");
+  CLI::App* command = app.add_subcommand(
+      "compare",
+      "compare two pictures, or the techniques and ground truth of a scene: FLIP, PSNR, relative error");
 
   auto arguments = std::make_shared<CompareArguments>();
   command->option_defaults()->always_capture_default();
 
   command->add_option("A", arguments->a, "the reference: PNG or JPEG, or EXR or HDR")->type_name("FILE");
-  command->add_option("B", arguments->b, "what is compared with it: of the same size, and linear if A is")
+  command->add_option("B", arguments->b, "compared with A: of the same size, and linear if A is")
       ->type_name("FILE");
   command->add_option("--json", arguments->json, "write the figures as JSON, - for standard output")
       ->type_name("FILE");

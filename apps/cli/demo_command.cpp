@@ -154,7 +154,7 @@ class Demo {
              fmt::format(
                  "{} render {} --orbit 35,5 --environment studio --background studio --size 480x540 -o {}",
                  start, name, file("studio.png"))},
-            {"How far apart the two pictures above are, in numbers and as a map.",
+            {"Difference of the two pictures above, in numbers and as a map.",
              fmt::format("{} compare {} {} --html {}", start, file("demo.png"), file("demo-lambert.png"),
                          file("difference.html"))},
             {"Skin from measured coefficients: how far light spreads in it, and a picture with that profile.",

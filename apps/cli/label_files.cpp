@@ -80,18 +80,17 @@ Json camera_json(const Scene& scene, const RenderSettings& settings) {
   const auto matrix = [](const std::array<double, 9>& m) {
     return Json{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
   };
-  return {
-      {"convention",
-       "OpenCV: a point x of the world (m, +Y up) lies at c = R x + t, +x right, +y down, +z ahead; it is "
-       "seen at K c / c.z, of an orthographic camera at K (c.x, c.y, 1); the middle of the first pixel is "
-       "0 0"},
-      {"orthographic", camera.orthographic},
-      {"width", camera.width},
-      {"height", camera.height},
-      {"K", matrix(camera.k)},
-      {"R", matrix(camera.r)},
-      {"t_m", camera.t_m},
-      {"near_m", camera.near_m}};
+  return {{"convention",
+           "OpenCV: a point x of the world (m, +Y up) lies at c = R x + t, +x right, +y down, +z ahead. It "
+           "is seen at K c / c.z, of an orthographic camera at K (c.x, c.y, 1). The middle of the first "
+           "pixel is 0 0."},
+          {"orthographic", camera.orthographic},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"K", matrix(camera.k)},
+          {"R", matrix(camera.r)},
+          {"t_m", camera.t_m},
+          {"near_m", camera.near_m}};
 }
 
 Json instances_json(const Scene& scene) {

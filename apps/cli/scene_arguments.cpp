@@ -223,11 +223,10 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
   }
 
   command
-      .add_option(
-          "SCENE", arguments.scenes,
-          "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each other; "
-          "'built-in', or nothing: the built-in head, also built-in:light and built-in:dark; 'test:NAME': a "
-          "test scene (docs/choosing.md)")
+      .add_option("SCENE", arguments.scenes,
+                  "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each "
+                  "other. 'built-in', or nothing: the built-in head, also built-in:light and built-in:dark. "
+                  "'test:NAME': a test scene (docs/choosing.md)")
       ->type_name(scene_type)
       ->default_str("");
   const auto read = [&arguments](const std::string& name) {
@@ -236,8 +235,8 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
   rare(command
            .add_option_function<std::string>(
                "--layout", read,
-               "how several files stand, 1.6 radii of the larger neighbour apart. Their own lights have no "
-               "common world and are left out: without a word of the lights, the rig stands around all")
+               "places several files, 1.6 radii of the larger neighbour apart. Their own lights have no "
+               "common world and are left out: unless told of other lights, the rig stands around all")
            ->type_name(one_of(names_of<Layout>))
            ->default_str("row")
            ->group("Scene"));

@@ -134,7 +134,7 @@ void add_sequence_command(CLI::App& app, int& exit_status) {
   command
       ->add_option("-o,--output", a->output,
                    "pictures to write, .png (display values) or .exr (linear), with the number of the frame: "
-                   "out/frame-%04d.png; or a video, .mp4, .webm or .webp, which the program ffmpeg makes")
+                   "out/frame-%04d.png. Or a video, .mp4, .webm or .webp, which the program ffmpeg makes")
       ->type_name("FILE")
       ->required();
   command->add_option("--sheet", a->sheet, "write a contact sheet of at most 24 frames, .png")

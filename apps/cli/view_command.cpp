@@ -18,12 +18,10 @@ void start_viewer(char** arguments) {
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   const std::filesystem::path viewer = here / "dermis-view";
   if (!std::filesystem::exists(viewer, error))
-    throw input_error(
-        "view",
-        "this build has no viewer ({} is not there): it is left out where GLFW or Dear ImGui are "
-        "not found (Debian, Ubuntu: apt install libglfw3-dev libimgui-dev); 'dermis render' "
-        "draws to a file",
-        viewer.string());
+    throw input_error("view",
+                      "this build has no viewer: {} is not there, because GLFW or Dear ImGui was not found "
+                      "(apt install libglfw3-dev libimgui-dev). 'dermis render' draws to a file",
+                      viewer.string());
   execv(viewer.c_str(), arguments);
   throw input_error(viewer.string(), "cannot be started: {}", std::strerror(errno));
 }

@@ -26,7 +26,7 @@ using LogSink = std::function<void(LogLevel level, const std::string& line)>;
 
 /// Work that may take longer than a second.
 struct WorkProgress {
-  std::string what;  ///< "what the skin sees of its surroundings"
+  std::string what;  ///< "occlusion of the surroundings"
   double share = 0;  ///< of this work that is done, 0 to 1, rising while `what` stays the same
 };
 

@@ -121,8 +121,9 @@ struct DepthTargets {
 /// A camera and where its picture goes.
 struct View {
   CameraMatrices camera{};  ///< its depth is what is written and tested
-  /// 2D, one layer and level. In COLOR_ATTACHMENT_OPTIMAL and DEPTH_ATTACHMENT_OPTIMAL when the commands run,
-  /// and afterwards. Only with Options::picture.
+  /// 2D, one layer and level, of images with the usage COLOR_ATTACHMENT and DEPTH_STENCIL_ATTACHMENT. In
+  /// COLOR_ATTACHMENT_OPTIMAL and DEPTH_ATTACHMENT_OPTIMAL when the commands run, and afterwards. Only with
+  /// Options::picture.
   VkImageView colour = VK_NULL_HANDLE, depth = VK_NULL_HANDLE;
   VkExtent2D extent{};  ///< of these images, pixels
   VkRect2D area{};      ///< the part that is the picture; of no size: all

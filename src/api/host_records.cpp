@@ -10,8 +10,8 @@ void check_unwraps(std::span<const setup::Subject* const> subjects) {
     for (const scene::SkinMesh& mesh : subject->skin)
       if (mesh.layers > 1)
         throw input_error(subject->scene->name,
-                          "skin '{}' has charts on the same texture coordinates, which its light map holds "
-                          "apart: a host that reads or draws that light needs an unwrap without overlaps",
+                          "skin '{}' has charts on the same texture coordinates, so its light map lays them "
+                          "apart. A host that reads or draws that light needs an unwrap without overlaps",
                           mesh.name);
 }
 

@@ -54,8 +54,8 @@ setup::Pose checked_pose(const std::array<double, 16>& world_from_asset) {
   const std::optional<setup::Pose> pose = setup::pose_of(world_from_asset);
   if (!pose)
     throw input_error("",
-                      "world_from_asset must be rigid with one positive scale (1e-3 to 1e3): a rotation "
-                      "times a number, a shift of up to 1e9 m, and 0 0 0 1 in the last row");
+                      "world_from_asset must be rigid with one positive scale (1e-3 to 1e3). So it is a "
+                      "rotation times a number, a shift of up to 1e9 m, and 0 0 0 1 in the last row");
   return *pose;
 }
 

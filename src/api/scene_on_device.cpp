@@ -46,7 +46,7 @@ void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
 
   const UploadTime time(asset);
   const setup::Preparation& prepare = setup::preparation("the surroundings that skin sees");
-  Steps steps("what the skin sees of its surroundings", meshes - asset.bent_normal.size());
+  Steps steps("occlusion of the surroundings", meshes - asset.bent_normal.size());
   for (std::size_t i = asset.bent_normal.size(); i < meshes; ++i) {
     environment::Occlusion seen = prepare.occlusion(*asset.subject.scene, asset.subject.skin[i],
                                                     {.side = environment::occlusion_side(meshes)});

@@ -192,11 +192,10 @@ Json separable(const Exported& input) {
            "kernel: R, G, B, offset; sssWidth in world units, here metres: the shader puts offset o at 2/3 o "
            "sssWidth"},
           {"lost",
-           {"a sum of Gaussians is not separable: each tap is the exact 1-D marginal, so straight edges "
-            "along the axes are right and "
-            "diagonals are not",
+           {"a sum of Gaussians is not separable: taps are the exact 1-D marginals, right for straight edges "
+            "along the axes, not for diagonals",
             "falloff and strength are not used: the kernel holds them",
-            "what reaches past three sigmas of the widest term is folded in by normalising"}}};
+            "light beyond three sigmas of the widest term is folded in by normalising"}}};
 }
 
 /// What every system with a total and an index loses.

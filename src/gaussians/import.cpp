@@ -166,8 +166,8 @@ Imported gltf(const std::string& text, const std::string& where) {
 [[noreturn]] void no_system(const std::string& text, const std::string& where) {
   throw input_error(
       where,
-      "'{}' names no system; a bare radius could be a mean free path, a diffuse mean free path "
-      "or Burley's d, in mm, cm or scene units. "
+      "'{}' names no system. A bare radius could be a mean free path, a diffuse mean free path or Burley's "
+      "d, in mm, cm or scene units. "
       "Start with a system ({}), or describe normalised diffusion with mfp_mm, dmfp_mm or shape_mm",
       text, listed_names(text.substr(0, text.find(' ')), exchange_names()));
 }
@@ -183,10 +183,10 @@ Imported parse(const std::string& text, const std::string& where) {
   if (system == "openpbr") return openpbr(rest, place);
   if (system == "gltf") return gltf(rest, place);
   if (system == "separable")
-    throw input_error(place,
-                      "sssWidth, falloff and strength do not say a profile: the width is in world units of "
-                      "unknown size, and strength "
-                      "mixes in unblurred light; import the kernel's profile as a table of r_mm,R,G,B");
+    throw input_error(
+        place,
+        "sssWidth, falloff and strength do not say a profile: the width is in world units of unknown size, "
+        "and strength mixes in unblurred light. Import the kernel's profile as a table of r_mm,R,G,B");
   no_system(text, where);
 }
 

@@ -131,9 +131,8 @@ KernelText separable_kernel(const SumOfGaussians& profile, int taps) {
   kernel.constants = {{"reach_mm", line_kernel_reach_mm(profile)}};
   kernel.arrays = {std::move(array)};
   kernel.units =
-      "offsets are mm on the skin, along rows and then columns; a mm is height / (2 tan(fov / 2) distance) "
-      "pixels, "
-      "where the distance is in mm; weights of a channel sum to 1";
+      "offsets are mm on the skin, along rows and then columns. A mm is height / (2 tan(fov / 2) distance) "
+      "pixels, where the distance is in mm. Weights of a channel sum to 1";
   kernel.lost = {
       "a sum of Gaussians is not separable: straight edges along the axes are right, spots below 1 mm "
       "spread too far"};
@@ -165,9 +164,8 @@ KernelText disc_kernel(const SumOfGaussians& profile, int taps) {
   kernel.arrays = {std::move(places), std::move(weights)};
   add_gaussians(kernel, profile);
   kernel.units =
-      "a tap weighs by R(r') times 1 / density, R(r) = sum w exp(-r^2 / 2v) / (2 pi v) in 1/mm^2, r' its "
-      "distance in "
-      "space; divide the light by the sum of the weights";
+      "a tap weighs by R(r') times 1 / density, r' its distance in space. R(r) = sum w exp(-r^2 / 2v) / (2 "
+      "pi v), in 1/mm^2. Divide the light by the sum of the weights";
   kernel.lost = {"few taps show as rings: the pattern is the same for every pixel"};
   return kernel;
 }
@@ -194,16 +192,15 @@ KernelText pre_integrated_tables(const SumOfGaussians& profile) {
                       {"shadow_columns", exported_shadow_columns},
                       {"shadow_rows", exported_shadow_rows},
                       {"shadow_filter_mm", shadow_filter_mm(profile)}};
-  kernel.arrays = {of_table("lit",
-                            "light of red, green and blue; column i of n: the cosine -1 + 2 i / (n - 1) of "
-                            "normal and light; row "
-                            "j of m: the curvature most_curvature_per_mm (j / (m - 1))^2",
-                            lit),
-                   of_table("shadow",
-                            "light of red, green and blue; column i of n: the filtered shadow i / (n - 1), 1 "
-                            "lit; row j of m: the "
-                            "cosine (j + 1) / m",
-                            shadow_table(profile, exported_shadow_columns, exported_shadow_rows))};
+  kernel.arrays = {
+      of_table("lit",
+               "light of red, green and blue. Column i of n: the cosine -1 + 2 i / (n - 1) of normal and "
+               "light. Row j of m: the curvature most_curvature_per_mm (j / (m - 1))^2",
+               lit),
+      of_table("shadow",
+               "light of red, green and blue. Column i of n: the filtered shadow i / (n - 1), 1 lit. Row j "
+               "of m: the cosine (j + 1) / m",
+               shadow_table(profile, exported_shadow_columns, exported_shadow_rows))};
   kernel.units =
       "curvature in 1/mm, positive where skin bulges; shadows are filtered over a disc of shadow_filter_mm "
       "that faces "

@@ -276,8 +276,7 @@ MemoryPool::Allocation* MemoryPool::allocate(const Request& request) {
     const std::uint32_t heap = types.empty() ? 0 : properties_.memoryTypes[types.front()].heapIndex;
     throw device_error(
         "no device memory for '{}': needed {:.1f} MiB; the heap has {:.1f} MiB, of which this program holds "
-        "{:.1f} MiB; try "
-        "smaller maps or a smaller picture",
+        "{:.1f} MiB. Try smaller maps or a smaller picture",
         request.name, mib(bytes), mib(properties_.memoryHeaps[heap].size), mib(heap_used_[heap]));
   }
   Allocation* const allocation = made.get();

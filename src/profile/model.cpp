@@ -49,7 +49,7 @@ ModelledProfiles make_profiles(const optics::RgbMedium& medium, Model model, con
         channel_names[lowest], albedo >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
 
-  Steps channels("how light spreads in skin", 3);
+  Steps channels("spread of light in skin", 3);
   for (int c = 0; c < 3; ++c) {
     out.profiles[c] = homogeneous(medium[c], out.model, options);
     channels.done();
@@ -100,7 +100,7 @@ ModelledProfiles make_profiles(const optics::RgbLayers& layers, Model model, con
           lowest, place, lowest >= diffusion_albedo ? "not under" : "under", diffusion_albedo);
   }
 
-  Steps channels("how light spreads in skin", 3);
+  Steps channels("spread of light in skin", 3);
   for (int c = 0; c < 3; ++c) {
     const optics::Layers one = optics::channel(layers, c);
     if (out.model == Model::monte_carlo)

@@ -119,7 +119,7 @@ MonteCarloResult simulate(const ScatterScene& scene, const MonteCarloOptions& op
   empty.leave_single_out = single_is_exact(layers, scene.light);
 
   std::vector<PhotonTally> tallies(batches, empty);
-  Steps steps("how light spreads in skin", batches);
+  Steps steps("spread of light in skin", batches);
   parallel_for(batches, [&](std::size_t batch) {
     const std::uint64_t begin = options.photons * batch / batches,
                         end = options.photons * (batch + 1) / batches;

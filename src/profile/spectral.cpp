@@ -140,7 +140,7 @@ ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const Mont
   const optics::Rgb exact = optics::skin_reflectance(skin);
   std::array<std::vector<WeightedProfile::Part>, 3> parts;
 
-  Steps wavelengths("how light spreads in skin", samples);
+  Steps wavelengths("spread of light in skin", samples);
   for (std::size_t i = 0; i < samples; ++i) {
     const optics::Layers layers = optics::skin_layers(skin, sample_nm(i));
     ProfilePtr one;

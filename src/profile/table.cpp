@@ -35,7 +35,7 @@ ProfileTable table_of(const std::array<ProfilePtr, 3>& profiles) {
   table.standard_error_per_mm2.resize(count);
   for (int i = first; i <= last; ++i) table.r_mm.push_back(std::pow(10.0, i / radii_per_decade));
 
-  Steps steps("how light spreads in skin", count);
+  Steps steps("spread of light in skin", count);
   parallel_for(count, [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c) {
       table.reflectance_per_mm2[i][c] = profiles[c]->at(table.r_mm[i]);

@@ -22,7 +22,7 @@ auto next(Steps& steps, const Make& make) {
 
 glm::dvec3 diffuse_total(const optics::RgbMedium& medium) {
   glm::dvec3 total(1);
-  Steps channels("how light spreads in skin", 3);
+  Steps channels("spread of light in skin", 3);
   for (int c = 0; c < 3; ++c, channels.done()) {
     const optics::Medium& m = medium[static_cast<std::size_t>(c)];
     if (m.sigma_a_per_mm == 0) continue;  // all light returns

@@ -49,8 +49,8 @@ void complete_surfaces(const std::vector<bool>& has_tangents, Scene& scene) {
 void check_skin_nodes(const std::string& file, std::size_t count) {
   if (count > most_skin_nodes)
     throw input_error(file,
-                      "has {} nodes of skin, each with a light map of its own; at most {} can be drawn: join "
-                      "their meshes, or name another material with skin_material",
+                      "has {} nodes of skin, each with a light map of its own, and at most {} can be drawn. "
+                      "Join their meshes, or name another material with skin_material",
                       count, most_skin_nodes);
 }
 

@@ -54,7 +54,7 @@ inline constexpr auto fields_of<CameraSettings> =
                       .option = "eye"}},
                Field{"target_m",
                      &CameraSettings::target_m,
-                     {.help = "what is in the middle of the picture, with camera.eye_m",
+                     {.help = "the point in the middle of the picture, with camera.eye_m",
                       .unit = "m",
                       .least = -1e6,
                       .most = 1e6,
@@ -95,10 +95,9 @@ inline constexpr auto fields_of<LightingSettings> = std::tuple{
            .rebuilds = true}},
     Field{"placed_lights",
           &LightingSettings::placed_lights,
-          {.help =
-               "one white spot instead of the scene's lights, 4 radii from the head's centre: azimuth from "
-               "its front towards its left, elevation (degrees), irradiance at the centre (default: 3); may "
-               "be repeated",
+          {.help = "one white spot instead of the scene's lights, 4 radii from the head's centre. Azimuth "
+                   "from its front towards its left, elevation (degrees), irradiance at the centre (default: "
+                   "3). May be repeated",
            .least = 0,
            .most = 64,
            .option = "light",
@@ -219,7 +218,7 @@ inline constexpr auto fields_of<OutputSettings> = std::tuple{
          .common = true}},
     Field{"tone_map",
           &OutputSettings::tone_map,
-          {.help = "how display values (PNG, PSNR, FLIP) come from light",
+          {.help = "curve from light to display values (PNG, PSNR, FLIP)",
            .option = "tone-map",
            .common = true,
            .rebuilds = true}},
@@ -233,7 +232,7 @@ inline constexpr auto fields_of<OutputSettings> = std::tuple{
            .real_time = true}},
     Field{"background",
           &OutputSettings::background,
-          {.help = "what stands behind the heads: black, studio, environment, or a colour #RRGGBB",
+          {.help = "behind the heads: black, studio, environment, or a colour #RRGGBB",
            .values = "black|studio|environment|#RRGGBB",
            .option = "background",
            .common = true,
@@ -248,7 +247,7 @@ inline constexpr auto fields_of<OutputSettings> = std::tuple{
            .real_time = true}},
     Field{"show",
           &OutputSettings::show,
-          {.help = "what is shown: the picture, or what it is made of",
+          {.help = "shows the picture, or a part that it is made of",
            .values = "picture|irradiance|visibility|stretch|texel-density|blur:K|shadow:K",
            .option = "show",
            .rebuilds = true,
@@ -344,7 +343,7 @@ inline constexpr auto fields_of<ReferenceSettings> = std::tuple{
           &ReferenceSettings::medium,
           {.help = "of the volume model: a measured material, or 'sigma_a=.. sigma_s=.. g=.. eta=..' per mm",
            .values = "MATERIAL|COEFFICIENTS",
-           .none = "what the profile was made of",
+           .none = "the medium of the profile",
            .option = "medium",
            .common = true}},
     Field{"samples",

@@ -82,7 +82,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
 
     Field{"mask",
           &QualitySettings::mask,
-          {.help = "how convolutions of published skip unlit texels",
+          {.help = "way in which convolutions of published skip unlit texels",
            .none = "depth",
            .option = "mask",
            .rebuilds = true,
@@ -90,23 +90,22 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
 
     Field{"kernel",
           &QualitySettings::kernel,
-          {.help = "of techniques in screen space: the profile of the skin, in mm; what the technique was "
-                   "published with; or, of burley-disc, the profile as Unreal Engine weighs it",
+          {.help = "of techniques in screen space: the profile of the skin, in mm, or the one of its "
+                   "publication. Of burley-disc also the profile as Unreal Engine weighs it",
            .option = "kernel",
            .rebuilds = true,
            .real_time = true}},
-    Field{"taps",
-          &QualitySettings::taps,
-          {.help =
-               "of the kernels of techniques in screen space, no effect on others: screen-gaussians 5 to 13, "
-               "odd; separable 3 to 33, odd; burley-disc 1 to 4096; pre-integrated, of its filter of "
-               "shadows, 1 to 1024",
-           .least = 1,
-           .most = 4096,
-           .none = "screen-gaussians 13, separable 25, burley-disc 64, pre-integrated 32",
-           .option = "taps",
-           .rebuilds = true,
-           .real_time = true}},
+    Field{
+        "taps",
+        &QualitySettings::taps,
+        {.help = "of the kernels of techniques in screen space. screen-gaussians: 5 to 13, odd. separable: 3 "
+                 "to 33, odd. burley-disc: 1 to 4096. pre-integrated, of its filter of shadows: 1 to 1024",
+         .least = 1,
+         .most = 4096,
+         .none = "screen-gaussians 13, separable 25, burley-disc 64, pre-integrated 32",
+         .option = "taps",
+         .rebuilds = true,
+         .real_time = true}},
 
     Field{"d_ref",
           &QualitySettings::d_ref,

@@ -26,9 +26,8 @@ inline constexpr auto fields_of<Light> = std::tuple{
     Field{"type", &Light::type, {.help = "where it comes from"}},
     Field{"colour",
           &Light::colour,
-          {.help = "irradiance on a surface that faces it, red, green and blue, 0 to 1e9; of a spot or point "
-                   "at d metres it "
-                   "is divided by d^2"}},
+          {.help = "irradiance on a surface that faces it, red, green and blue, 0 to 1e9. Of a spot or point "
+                   "at d metres it is divided by d^2"}},
     Field{"position_m", &Light::position_m, {.help = "of a spot or point", .unit = "m"}},
     Field{"direction",
           &Light::direction,

@@ -47,7 +47,7 @@ Upright upright(const CameraMatrices& matrices) {
   const double scale = out.perspective ? std::abs(w.z) : w.w;
   if (!(scale > 0) || glm::length(w) > (1 + tolerance) * scale)
     throw projection_error(
-        "the row of w must be 0 0 -1 0 or 0 0 1 0 (perspective) or 0 0 0 1 (orthographic), got {:g} {:g} "
+        "the row of w must be 0 0 -1 0, 0 0 1 0 (perspective) or 0 0 0 1 (orthographic). It is {:g} {:g} "
         "{:g} {:g}",
         w.x, w.y, w.z, w.w);
   clip /= scale;

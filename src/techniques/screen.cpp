@@ -401,7 +401,7 @@ FrameOutputs build_labels(passes::FramePlan& plan, const FrameSettings& settings
 }  // namespace
 
 constinit const Technique labels_alone{.name = "",
-                                       .summary = "what each pixel shows, and no light",
+                                       .summary = "labels of each pixel, and no light",
                                        .uses_profile = false,
                                        .has_light_maps = false,
                                        .build = build_labels,

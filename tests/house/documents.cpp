@@ -9,7 +9,7 @@
 #include <optional>
 #include <regex>
 #include <set>
-#include <sstream>
+#include <utility>
 
 namespace house {
 
@@ -23,29 +23,6 @@ bool is_fence(const std::string& line) {
   const std::size_t first = line.find_first_not_of(" ");
   return first != std::string::npos && line.compare(first, 3, "```") == 0;
 }
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-int count_words(const std::string& sentence) {
-  std::istringstream words(sentence);
-  int count = 0;
-  for (std::string word; words >> word;)
-    count += std::any_of(word.begin(), word.end(),
-                         [](unsigned char c) { return std::isalnum(c) != 0 || c >= 0x80; })
-                 ? 1
-                 : 0;
-  return count;
-}
-
-/// A run of text that ends where a sentence must end.
-struct Block {
-  std::size_t line = 0;
-  std::string text;
-};
 
 class Blocks {
  public:
@@ -92,15 +69,6 @@ class Blocks {
   Block open_;
   bool fenced_ = false, written_ = false;
 };
-
-/// The text as it is read: code is one word, a link what it shows.
-std::string as_read(std::string text) {
-  static const std::regex code("`[^`]*`"), link(R"(!?\[([^\]]*)\]\([^)]*\))"),
-      short_form(R"(\b(e\.g|i\.e|et al|ch|sec|eq)\. )");
-  text = std::regex_replace(text, code, "code");
-  text = std::regex_replace(text, link, "$1");
-  return std::regex_replace(text, short_form, "$1 ");
-}
 
 /// As GitHub makes it: lower case, spaces as '-', without punctuation.
 std::string anchor_of(const std::string& heading) {
@@ -162,18 +130,12 @@ bool is_document(const SourceFile& file) {
 }
 
 std::vector<Sentence> sentences_of(const SourceFile& file) {
-  static const std::regex end(R"x([.!?][*_)"']*\s+)x");
   Blocks blocks;
   blocks.read(file);
 
   std::vector<Sentence> sentences;
-  for (const Block& block : blocks.found) {
-    const std::string text = as_read(block.text) + " ";
-    std::string rest = text;
-    for (std::smatch match; std::regex_search(rest, match, end); rest = match.suffix())
-      sentences.push_back({block.line, count_words(match.prefix()), match.prefix()});
-    if (!trimmed(rest).empty()) sentences.push_back({block.line, count_words(rest), rest});
-  }
+  for (const Block& block : blocks.found)
+    for (Sentence& sentence : split(block)) sentences.push_back(std::move(sentence));
   return sentences;
 }
 

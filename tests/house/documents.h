@@ -8,20 +8,15 @@
 #include <vector>
 
 #include "house/check.h"
+#include "house/prose.h"
 
 namespace house {
-
-/// A sentence of Markdown: of a paragraph, an item of a list, a cell of a table or a heading.
-struct Sentence {
-  std::size_t line = 0;  ///< where its text begins, from 1
-  int words = 0;         ///< code between backquotes and a link count as their text does, code as one word
-  std::string text;
-};
 
 /// README.md, and Markdown below docs/.
 bool is_document(const SourceFile& file);
 
-/// Sentences outside of code and of tables that are written from the code ("<!-- ...: written by ... -->").
+/// Sentences of paragraphs, items of lists, cells of tables and headings. Code, and tables that are written
+/// from the code ("<!-- ...: written by ... -->"), are left out.
 std::vector<Sentence> sentences_of(const SourceFile& file);
 
 /// Sentences of documents with more words than that.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "house/check.h"
 #include "house/documents.h"
 #include "house/measure.h"
+#include "house/prose.h"
 #include "support/written_table.h"
 
 namespace {
@@ -21,6 +23,9 @@ constexpr int longest_function = 80;  // lines
 constexpr int most_columns = 110;     // as .clang-format has it
 constexpr int has_steps = 20;         // lines from which a function should show its steps as paragraphs
 constexpr int longest_sentence = 30;  // words; most have at most 25
+constexpr int longest_text = 25;      // words of a sentence in a help or a message
+// Of comments: sentences whose subject is a clause, and sentences over 30 words. Both may fall.
+constexpr std::size_t most_clauses = 426, most_long_comments = 226;
 // Of README.md and docs/, without docs/notes; of docs/notes.
 constexpr std::size_t most_document_bytes = 170'000, most_note_bytes = 60'000;
 // Sentences of more words in ARCHITECTURE.md, CHANGELOG.md and below src/. It may fall.
@@ -69,6 +74,23 @@ TEST(House, DocumentsNameWhatIsThere) { expect_none(house::check_document_paths(
 TEST(House, SentencesOfDocumentsAreShort) {
   expect_none(house::check_sentences(tree(), longest_sentence));
   EXPECT_LE(house::count_long_sentences_elsewhere(tree(), longest_sentence), long_sentences_elsewhere);
+}
+
+TEST(House, TextsOfProgramsArePlain) { expect_none(house::check_texts(tree(), longest_text)); }
+
+TEST(House, CommentsArePlain) {
+  const house::HardComments hard = house::hard_comments(tree(), longest_sentence);
+  std::printf("comments: %zu sentences begin with a clause, %zu have over %d words\n", hard.clauses.size(),
+              hard.longs.size(), longest_sentence);
+  const auto print = [](const std::vector<house::Found>& found) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 20); ++i)
+      std::printf("  %s:%zu: %s\n", found[i].path.c_str(), found[i].sentence.line,
+                  found[i].sentence.text.c_str());
+  };
+  print(hard.clauses);
+  print(hard.longs);
+  EXPECT_LE(hard.clauses.size(), most_clauses);
+  EXPECT_LE(hard.longs.size(), most_long_comments);
 }
 
 TEST(House, DocumentsNameNoCommit) { expect_none(house::check_commits(tree())); }

@@ -73,10 +73,8 @@ std::string paper_section(const Run& run) {
   }
 
   return "<h2>Speed-up of the three optimisations together</h2>\n<p>Over the baseline | over the baseline "
-         "that skips heads outside the "
-         "picture | "
-         "the paper's (Jimenez and Gutierrez 2008, table 1: GeForce 8800 GTX, 1920 x 1200 pixels, maps of "
-         "2048 texels).</p>\n" +
+         "that skips heads outside the picture | the paper's. (Jimenez and Gutierrez 2008, table 1: GeForce "
+         "8800 GTX, 1920 x 1200 pixels, maps of 2048 texels.)</p>\n" +
          report::grid(headings, rows);
 }
 

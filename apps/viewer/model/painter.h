@@ -100,7 +100,7 @@ class Painter {
   PainterNews take_news();
 
   bool is_busy() const;       ///< draws, or has something to draw
-  std::string doing() const;  ///< "what the skin sees of its surroundings: 40 %"; empty if nothing takes long
+  std::string doing() const;  ///< "occlusion of the surroundings: 40 %"; empty if nothing takes long
   std::vector<std::string> validation_messages() const;
   std::string device_name() const;  ///< empty before the first picture
 

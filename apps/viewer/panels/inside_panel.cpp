@@ -184,7 +184,7 @@ void inside_panel(Desk& desk) {
     for (std::size_t i = 0; i < pages.size(); ++i)
       if (noted_button(pages[i].title)) desk.requests.page = i;
   }
-  if (!desk.view.notes.empty() && noted_header("What the library said"))
+  if (!desk.view.notes.empty() && noted_header("Notes of the library"))
     for (const std::string& note : desk.view.notes) ImGui::TextWrapped("%s", note.c_str());
 }
 

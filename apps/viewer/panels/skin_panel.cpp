@@ -182,8 +182,7 @@ void skin_panel(Desk& desk) {
   bool changed = kind_row(skin);
   if (changed) begin(skin, desk.now);
   changed |= source_rows(skin);
-  if (skin.kind != SkinKind::scene && skin.kind != SkinKind::gaussians &&
-      ImGui::TreeNode("how it is computed")) {
+  if (skin.kind != SkinKind::scene && skin.kind != SkinKind::gaussians && ImGui::TreeNode("computation")) {
     changed |= rows(skin.options);
     ImGui::TreePop();
   }

@@ -265,7 +265,7 @@ Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
   DERMIS_ASSERT_LE(1, settings.rays);
 
   const auto side = static_cast<std::size_t>(settings.side);
-  Steps steps("what the skin sees of its surroundings", all_steps);
+  Steps steps("occlusion of the surroundings", all_steps);
   const rays::RayScene rays(scene);
   const TexelGrid grid = rasterise(mesh, settings.side);
   const RaySet set(settings.rays);

@@ -139,7 +139,7 @@ TEST(Progress, OfAFirstFrameIsToldAndCanEndIt) {
   const Picture whole = own.render(scene, lit_by_a_studio());
   EXPECT_EQ(works, (std::vector<std::string>{"measuring the unwrap", "preparing the environment",
                                              "making pipelines", "bringing the scene to the device",
-                                             "what the skin sees of its surroundings", "making gutters"}));
+                                             "occlusion of the surroundings", "making gutters"}));
 
   for (const std::string& work : std::vector<std::string>(works)) {
     // Another renderer, so that nothing is there yet.

@@ -176,7 +176,7 @@ TEST_F(SmallHeap, IsFilledToTheBrimAndThenSaysSo) {
           "no device memory for 'bite': needed 1.0 MiB; the heap has 32.0 MiB, of which this program holds "),
       0u)
       << said;
-  EXPECT_NE(said.find("try smaller maps"), std::string::npos);
+  EXPECT_NE(said.find("Try smaller maps"), std::string::npos);
   let_go();
   EXPECT_EQ(take(mib), "");
 }

@@ -273,7 +273,7 @@ TEST(ArraysHostile, Skin) {
           g.face().node = -1;
           g.given.meshes.resize(most_skin_nodes + 1, g.face());
         },
-        "has 1025 nodes of skin, each with a light map of its own; at most 1024 can be drawn: join "
+        "has 1025 nodes of skin, each with a light map of its own, and at most 1024 can be drawn. Join "
         "their meshes, or name another material with skin_material"}});
 }
 
