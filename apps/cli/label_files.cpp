@@ -13,6 +13,7 @@
 #include "core/file.h"
 #include "core/known_names.h"
 #include "dermis/camera.h"
+#include "dermis/landmarks.h"
 #include "dermis/session.h"
 #include "image/layers.h"
 
@@ -104,6 +105,42 @@ Json instances_json(const Scene& scene) {
   return all;
 }
 
+Json number_json(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+// Of each instance; null where it has none, and null if none has.
+Json landmarks_json(const Scene& scene, const RenderSettings& settings, const Results& results) {
+  if (settings.camera.heads > 1) return nullptr;  // the heads of a row are no instances
+  const ResolvedCamera camera = resolved_camera(scene, settings);
+  Json instances = Json::array();
+  bool some = false;
+  for (const InstanceId id : scene.instances()) {
+    const auto marks = Landmarks::of(scene.instance(id).asset);
+    some |= marks.has_value();
+    Json points = marks ? Json::array() : Json(nullptr);
+    if (marks)
+      for (const Landmark& mark : marks->in_picture(scene, id, camera, results.depth_m))
+        points.push_back(
+            {number_json(mark.x), number_json(mark.y), number_json(mark.depth_m), mark.seen ? 1 : 0});
+    instances.push_back(points);
+  }
+  if (!some) return nullptr;
+  return {{"about",
+           "iBUG's 68 points, then the right and the left pupil; right is the person's. Fixed to the skin, "
+           "also along the jaw. seen: the picture shows the point, whatever hair lies before it"},
+          {"values", {"x", "y", "depth", "seen"}},
+          {"units", {"px", "px", "m", ""}},
+          {"instances", instances}};
+}
+
+[[noreturn]] void refuse_landmarks(const Scene& scene, const RenderSettings& settings) {
+  if (settings.camera.heads > 1)
+    throw input_error("--labels", "landmarks are of a scene's instances, and camera.heads is {}",
+                      settings.camera.heads);
+  throw input_error(scene.name(),
+                    "has no landmarks: beside its file is no NAME.landmarks.json, and the mesh "
+                    "is none that dermis knows");
+}
+
 Json label_json(const OutputRow& row) {
   Json json{{"about", row.help}};
   if (*row.unit != 0) json["unit"] = row.unit;
@@ -173,24 +210,26 @@ std::vector<PendingFile> png_files(const Results& results, const std::string& pa
 
 }  // namespace
 
-Outputs labels_of(const std::string& list, const std::string& ending) {
-  std::vector<std::string> names{"all"};
+WantedLabels labels_of(const std::string& list, const std::string& ending) {
+  std::vector<std::string> names{"all", "landmarks"};
   for (const FileRow& row : file_rows) names.emplace_back(row_of(row.output).name);
   const bool in_png = ending == ".png";
 
-  Outputs wanted;
+  WantedLabels wanted;
   for (std::size_t from = 0; from <= list.size();) {
     const std::size_t to = std::min(list.find(',', from), list.size());
     const std::string name = list.substr(from, to - from);
     from = to + 1;
     if (std::ranges::find(names, name) == names.end())
       throw input_error("--labels", "{}", unknown_name(name, names));
+    wanted.landmarks |= name == "landmarks";
+    wanted.all |= name == "all";
     for (const FileRow& row : file_rows) {
       if (name != "all" && name != row_of(row.output).name) continue;
       if (name != "all" && in_png && row.step == 0)
         throw input_error("--labels",
                           "{} has any numbers, which no PNG holds; an output that ends in .exr does", name);
-      if (!in_png || row.step != 0) wanted = wanted | Outputs{row.output};
+      if (!in_png || row.step != 0) wanted.outputs = wanted.outputs | Outputs{row.output};
     }
   }
   return wanted;
@@ -199,26 +238,33 @@ Outputs labels_of(const std::string& list, const std::string& ending) {
 std::string label_sheet(const std::string& picture) { return beside(picture, ".json"); }
 
 std::vector<PendingFile> label_files(Renderer& renderer, const Scene& scene, const RenderSettings& settings,
-                                     const Picture& picture, Outputs labels, const std::string& path) {
+                                     const Picture& picture, const WantedLabels& labels,
+                                     const std::string& path) {
   if (settings.output.show != OutputSettings{}.show)
     throw input_error("--labels", "are of the picture, and output.show is '{}'", settings.output.show);
   RenderSettings unlit = settings;
   unlit.output.exposure_ev = settings.output.exposure_ev.value_or(0);
-  Session session(renderer, {.frames_in_flight = 1, .wanted = labels});
-  const Results results = session.results(session.draw(scene, unlit));
+  const bool marked = labels.landmarks || labels.all;
+  const Outputs drawn = marked ? labels.outputs | Outputs{Output::depth} : labels.outputs;
+  Session session(renderer, {.frames_in_flight = 1, .wanted = drawn});
+  Results results = session.results(session.draw(scene, unlit));
 
-  Json of_labels = Json::object();
+  Json of_labels = Json::object(), marks;
+  if (marked) marks = landmarks_json(scene, settings, results);
+  if (labels.landmarks && marks.is_null()) refuse_landmarks(scene, settings);
+  if (!labels.outputs.has(Output::depth)) results.depth_m = {};
   std::vector<PendingFile> files;
   if (ending_of(path) == ".png")
     files = png_files(results, path, of_labels);
   else
     files.push_back(layers_file(results, picture, path, of_labels));
-  const Json sheet{{"schema", 1},
-                   {"picture", std::filesystem::path(path).filename().string()},
-                   {"camera", camera_json(scene, settings)},
-                   {"sampling", "one sample at the middle of each pixel; blended parts leave no label"},
-                   {"labels", of_labels},
-                   {"instances", instances_json(scene)}};
+  Json sheet{{"schema", 1},
+             {"picture", std::filesystem::path(path).filename().string()},
+             {"camera", camera_json(scene, settings)},
+             {"sampling", "one sample at the middle of each pixel; blended parts leave no label"},
+             {"labels", of_labels},
+             {"instances", instances_json(scene)}};
+  if (!marks.is_null()) sheet["landmarks"] = marks;
   const std::string text = sheet.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   const auto bytes = std::as_bytes(std::span(text));
   files.push_back({label_sheet(path), {bytes.begin(), bytes.end()}});

@@ -10,9 +10,16 @@
 
 namespace dermis::cli {
 
-/// Returns the labels that a list such as "depth,normal" or "all" names. Throws InputError: an unknown name;
-/// one that no file of this ending holds.
-Outputs labels_of(const std::string& list, const std::string& ending);
+/// What `--labels` names.
+struct WantedLabels {
+  Outputs outputs;         ///< in files
+  bool landmarks = false;  ///< in the sheet; of "all" where there are some
+  bool all = false;
+};
+
+/// Returns the labels that a list such as "depth,landmarks" or "all" names. Throws InputError: an unknown
+/// name; one that no file of this ending holds.
+WantedLabels labels_of(const std::string& list, const std::string& ending);
 
 /// A file that is not written yet.
 struct PendingFile {
@@ -25,8 +32,10 @@ std::string label_sheet(const std::string& picture);
 
 /// Draws the labels of a picture and returns their files, the sheet last: beside a PNG one for each label,
 /// else the picture itself with the labels as layers. Throws InputError: settings.output.show is not the
-/// picture; a number that a PNG does not hold.
+/// picture; a number that a PNG does not hold; landmarks that are asked for by name, and none of the heads
+/// has them.
 std::vector<PendingFile> label_files(Renderer& renderer, const Scene& scene, const RenderSettings& settings,
-                                     const Picture& picture, Outputs labels, const std::string& path);
+                                     const Picture& picture, const WantedLabels& labels,
+                                     const std::string& path);
 
 }  // namespace dermis::cli

@@ -11,7 +11,7 @@
 ///   nodes show counts twice. Vertices are those of the accessors, or as Draco's decoder returns them. Copies
 ///   of a mesh that is not skin, which nodes only move, turn and scale, are kept as one, with one of their
 ///   numbers;
-/// - the head built in: one mesh.
+/// - the head built in: its skin is mesh 0, its eyes are mesh 1, then what else it has.
 /// Coordinates of an asset are metres, after unit_scale and the nodes of a file.
 #pragma once
 

@@ -111,6 +111,8 @@ scene::Scene make(const Settings& settings) {
   add_eyes(bust, scene, complexion(settings.tone).colours, std::clamp(size / 4, 64, 512));
   add_teeth(scene);
   add_hair_cards(bust, scene, complexion(settings.tone).colours, std::clamp(size / 2, 64, 1024));
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+    scene.primitives[i].source_mesh = static_cast<int>(i);
   scene.rig = make_rig(net, scene);
   for (const scene::RigClip& clip : scene.rig->clips) scene.clips.push_back(clip.clip.name);
   steps.done();
