@@ -6,7 +6,7 @@
 #include <memory>
 #include <thread>
 
-#include "cli/bench/held_frames.h"
+#include "api/compare/held_frames.h"
 #include "cli/bench/measure.h"
 #include "cli/bench/page.h"
 #include "cli/bench/paper.h"
@@ -88,7 +88,7 @@ bench::Task task_of(const BenchArguments& a) {
   const auto frames_bytes = [given = a.frames_mb,
                              half = std::optional<std::uint64_t>()](const std::string& device) mutable {
     if (given) return static_cast<std::uint64_t>(*given * 1e6);
-    if (!half) half = bench::half_of_device(device);
+    if (!half) half = api::half_of_device(device);
     return *half;
   };
   return {.settings = a.settings,

@@ -13,10 +13,13 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/scene_comparison.h"
+#include "cli/settings_options.h"
 #include "cli/test_scenes/test_scenes.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/known_names.h"
 #include "image/codec.h"
+#include "settings/comparison_fields.h"
 #include "settings/names.h"
 
 namespace dermis::cli {
@@ -126,6 +129,12 @@ SceneComparisonSettings comparison_settings(const CompareArguments& arguments) {
   settings.render = arguments.settings;
   settings.reference = *arguments.reference;
   if (settings.techniques == std::vector<std::string>{"all"}) settings.techniques.clear();
+  std::vector<std::string> known = technique_names();
+  for (const std::string& name : settings.techniques)
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      known.insert(known.begin(), "all");
+      throw input_error("", "--techniques {}", unknown_name(name, known));
+    }
   return settings;
 }
 
@@ -171,11 +180,11 @@ void compare_techniques(const CompareArguments& arguments) {
   const Scene scene = open_scene(arguments);
   catch_interrupts();
   settings.hooks = terminal_hooks();
-  SceneComparison found = compare_scene(scene, settings);
-  found.settings = settings_file(arguments);
+  const SceneComparison found = compare_scene_here(scene, settings);
   const std::string page = arguments.html.empty() ? "" : scene_comparison_page(found);
   if (!arguments.html.empty()) write_file(arguments.html, page);
-  if (!arguments.json.empty()) write_text(arguments.json, scene_comparison_json(found));
+  if (!arguments.json.empty())
+    write_text(arguments.json, scene_comparison_json(found, settings_file(arguments)));
   if (arguments.json != "-") write_text("-", scene_comparison_text(found));
   save_settings(arguments);
 }
@@ -239,21 +248,10 @@ void add_scene_options(CLI::App& command, CompareArguments& a) {
       ->type_name("all|" + one_of(technique_names()))
       ->default_str("all")
       ->group(group);
-  rare(command
-           .add_flag("--each-optimisation", s.each_optimisation,
-                     "further rows: nothing optimised, cull, depth and clip by themselves, and all of them")
-           ->group(group));
-  rare(command
-           .add_option("--supersample", s.supersample,
-                       "errors are of pictures this many times as wide and as high, averaged; times stay "
-                       "those of --size")
-           ->group(group));
-  rare(
-      command
-          .add_flag("--curves", s.curves,
-                    "further frames of each technique with its own quality settings (taps, kernels, maps): a "
-                    "curve of error over cost")
-          ->group(group));
+  for_each_setting(s, [&](const std::string& path, const About& about, auto& value, std::string_view) {
+    if (path != "techniques")
+      rare(AddOption{command}("--" + std::string(about.option), about, value)->group(group));
+  });
   add_device_option(command, s.device)->group(group);
   add_table_options(command, a);
 

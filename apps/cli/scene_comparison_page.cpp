@@ -133,9 +133,17 @@ nlohmann::ordered_json errors_json(const SceneComparison& c, const Errors& error
 constexpr std::array<std::array<int, 3>, 6> region_colours{
     {{230, 90, 60}, {240, 200, 40}, {70, 150, 255}, {60, 220, 120}, {220, 90, 220}, {240, 240, 240}}};
 
+image::Image8 image_of(const SceneComparison& c, const std::vector<std::uint8_t>& rgba) {
+  return {.width = c.width, .height = c.height, .rgba = rgba};
+}
+
+image::ImageF flip_map(const SceneComparison& c, const ComparedTechnique& t) {
+  return {.width = c.width, .height = c.height, .channels = 1, .values = t.flip};
+}
+
 /// The reference in grey, one region in colour.
 image::Image8 region_picture(const SceneComparison& c, std::size_t region) {
-  image::Image8 out = c.shown_reference;
+  image::Image8 out = image_of(c, c.reference_display);
   const auto& colour = region_colours[(region - 1) % region_colours.size()];
   for (std::size_t i = 0; i < out.rgba.size() / 4; ++i) {
     std::uint8_t* p = out.rgba.data() + 4 * i;
@@ -159,17 +167,20 @@ std::string scene_comparison_text(const SceneComparison& c) {
   return text;
 }
 
-std::string scene_comparison_json(const SceneComparison& c) {
+std::string scene_comparison_json(const SceneComparison& c, const SettingsFile& settings) {
+  nlohmann::ordered_json json{{"scene", c.scene}, {"settings", json_of(settings)}};
+  json.update(scene_comparison_object(c));
   // Names of files need not be UTF-8.
-  return scene_comparison_object(c).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-         "\n";
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 nlohmann::ordered_json scene_comparison_object(const SceneComparison& c) {
   using nlohmann::ordered_json;
-  ordered_json json{
-      {"scene", c.scene},       {"settings", json_of(c.settings)}, {"size", {c.width, c.height}},
-      {"tone_map", c.tone_map}, {"exposure_ev", c.exposure_ev},    {"supersample", c.supersample}};
+  ordered_json json{{"scene", c.scene},
+                    {"size", {c.width, c.height}},
+                    {"tone_map", c.tone_map},
+                    {"exposure_ev", c.exposure_ev},
+                    {"supersample", c.supersample}};
 
   if (c.reference_file.empty())
     json["reference"] = {{"model", c.model},
@@ -259,19 +270,20 @@ std::string scene_comparison_body(const SceneComparison& c, const std::string& i
   // Give all maps of errors one scale, up to the largest error on skin.
   double full_scale = 0;
   for (const ComparedTechnique& t : c.techniques)
-    full_scale = std::max(full_scale, image::summarise_flip(t.flip_map, c.regions[0].mask).max);
+    full_scale = std::max(full_scale, image::summarise_flip(flip_map(c, t), c.regions[0].mask).max);
   if (full_scale <= 0) full_scale = 1;
 
   const std::string truth = id + "reference";
   body += "<h2>Against the reference</h2>\n<div class=\"figures\">\n" +
-          figure("the reference", picture(truth, c.shown_reference, "the reference")) + "</div>\n";
+          figure("the reference", picture(truth, image_of(c, c.reference_display), "the reference")) +
+          "</div>\n";
   for (std::size_t i = 0; i < c.techniques.size(); ++i) {
     const ComparedTechnique& t = c.techniques[i];
     const std::string own = fmt::format("{}technique-{}", id, i);
     body += "<h2>" + escape(t.name) + "</h2>\n<div class=\"figures\">\n";
-    body += figure(escape(t.name), picture(own, t.shown, t.name));
+    body += figure(escape(t.name), picture(own, image_of(c, t.display_rgba), t.name));
     const image::Image8 colours =
-        image::error_colours(t.flip_map, static_cast<float>(full_scale), c.regions[0].mask);
+        image::error_colours(flip_map(c, t), static_cast<float>(full_scale), c.regions[0].mask);
     body += figure("FLIP; grey: no skin",
                    picture(own + "-error", colours, "map of errors") + magma_scale(full_scale));
     body += figure("left: the reference", slider(truth, own, "reference", t.name)) + "</div>\n";

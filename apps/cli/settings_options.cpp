@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/help.h"
+#include "settings/comparison_fields.h"
 #include "settings/fields.h"
 #include "settings/profile_fields.h"
 
@@ -82,11 +83,13 @@ std::string with_options(std::string message, const CLI::App& app) {
   const RenderSettings render;
   const SceneOptions scene;
   const ReferenceSettings reference;
+  const SceneComparisonSettings comparison;
   const ProfileOptions profile;
   const SpectralSkin skin;
   for_each_setting(render, one);
   for_each_setting(scene, one);
   for_each_setting(reference, one);
+  for_each_setting(comparison, one);
   for_each_setting(profile, one);
   for_each_setting(skin, one);
   return message;

@@ -71,9 +71,10 @@ struct ReferencePicture {
   /// Variance of each value of picture.linear_rgba: the square of its standard error. 0 with fewer samples
   /// than two blocks of 8, which say nothing about it.
   std::vector<float> variance_rgba;
-  int samples = 0;             ///< per pixel
-  double noise_percent = 100;  ///< as ReferenceProgress
-  bool complete = false;       ///< false: a hook has ended the work
+  ReferenceModel model = ReferenceModel::bssrdf;  ///< that made it
+  int samples = 0;                                ///< per pixel
+  double noise_percent = 100;                     ///< as ReferenceProgress
+  bool complete = false;                          ///< false: a hook has ended the work
   /// Of the model "volume": walks that left through a hole or a fold of the mesh, which counts as absorbed;
   /// per cent of all.
   double lost_percent = 0;

@@ -70,12 +70,6 @@ std::vector<float> values_of(std::span<const std::byte> bytes, techniques::Shown
   return as == techniques::Shown::As::texel_density ? grey_of_density(std::move(values), map_size) : values;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
-
 // Eight bits for a display, opaque.
 std::vector<std::uint8_t> display_values(const std::vector<float>& rgba, bool is_light) {
   std::vector<std::uint8_t> display(rgba.size(), 255);
@@ -115,6 +109,12 @@ void check_light_is_stored(const techniques::Shown& shown, const std::string& na
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n == 0 ? 0 : n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
 
 void check_device_limits(const RenderSettings& s, const gpu::DeviceLimits& limits) {
   const auto check = [&](const char* name, int value) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "dermis/renderer.h"
 #include "frame/executor.h"
@@ -20,6 +21,9 @@ void check_show(const techniques::FrameOutputs& outputs, const RenderSettings& s
 
 /// Returns the passes of a frame that was timed, with what `graph` knows of them.
 std::vector<PassStatistics> passes_of(const frame::FrameTime& frame, const frame::FrameGraph& graph);
+
+/// Returns the middle value, of an even number the mean of the middle two; 0 of none.
+double median(std::vector<double> values);
 
 /// Fills in the times of at least one frame of a graph: medians, shortest, longest.
 void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "settings/comparison_fields.h"
 #include "settings/fields.h"
 #include "settings/names.h"
 #include "settings/profile_fields.h"
@@ -56,6 +57,7 @@ struct Checker {
 void check_ranges(const RenderSettings& settings) { for_each_setting(settings, Checker{}); }
 void check_ranges(const SceneOptions& options) { for_each_setting(options, Checker{}); }
 void check_ranges(const ReferenceSettings& settings) { for_each_setting(settings, Checker{}); }
+void check_ranges(const SceneComparisonSettings& settings) { for_each_setting(settings, Checker{}); }
 
 void check_ranges(const ProfileOptions& options) { for_each_setting(options, Checker{}); }
 void check_ranges(const Coefficients& coefficients) { for_each_setting(coefficients, Checker{}); }

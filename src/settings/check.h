@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/fields.h"
+#include "dermis/compare.h"
 #include "dermis/profile.h"
 #include "dermis/reference.h"
 #include "dermis/scene.h"
@@ -17,6 +18,7 @@ namespace dermis {
 void check_ranges(const RenderSettings& settings);
 void check_ranges(const SceneOptions& options);
 void check_ranges(const ReferenceSettings& settings);
+void check_ranges(const SceneComparisonSettings& settings);
 void check_ranges(const ProfileOptions& options);
 void check_ranges(const Coefficients& coefficients);
 void check_ranges(const SpectralSkin& skin, const std::string& where = {});

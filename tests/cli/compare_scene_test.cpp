@@ -97,7 +97,7 @@ TEST_F(CompareScene, AReferenceThatIsThereIsUsedAgain) {
   EXPECT_TRUE(
       found({"--techniques", "lambert", "--reference", in_folder("truth.exr")}).at("noise").is_null());
 
-  expect_refused(compare({"--size", "25x24", "--reference", in_folder("truth.exr")}), "--size says 25 x 24");
+  expect_refused(compare({"--size", "25x24", "--reference", in_folder("truth.exr")}), "say 25 x 24");
   expect_refused(compare({"--reference", in_folder("none.exr")}), "no such file");
   expect_refused(compare({"--reference", file("text.exr", "no picture")}), "text.exr");
   expect_refused(compare({"--reference", in_folder("truth.exr"), "--html", in_folder("truth.exr")}),
@@ -252,7 +252,7 @@ TEST_F(CompareScene, WhatMakesNoSense) {
   refuse({"--techniques", "all,lambert"}, "'all'");
   refuse({"--supersample", "0"}, "--supersample");
   refuse({"--supersample", "17"}, "--supersample");
-  refuse({"--supersample", "16", "--size", "8192x8"}, "--supersample 16");
+  refuse({"--supersample", "16", "--size", "8192x8"}, "supersample (--supersample) must be at most 8");
   refuse({"--samples", "0"}, "--samples");
   refuse({"--noise", "-1"}, "--noise");
   refuse({"--model", "magic"}, "bssrdf, volume");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/bench/held_frames.h"
+#include "api/compare/held_frames.h"
 #include "cli/bench/result.h"
 #include "dermis/renderer.h"
 
@@ -37,7 +37,7 @@ class Contest {
     std::vector<std::vector<PassStatistics>> passes;  ///< of each round
   };
 
-  HeldFrames frames_;
+  api::HeldFrames frames_;
   std::vector<Entry> entries_;
 };
 

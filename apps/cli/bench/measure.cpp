@@ -95,13 +95,6 @@ RenderSettings settings_at(const Task& task, const Place& place) {
   return s;
 }
 
-bool has_plan(const Scene& scene, const RenderSettings& settings) {
-  try {
-    describe_plan(scene, settings);
-    return true;
-  } catch (const InputError&) { return false; }
-}
-
 void measure(Renderer& renderer, const Scene& scene, const Task& task, Run& run,
              const std::function<void(const Cell&)>& after_cell) {
   // Add up the work ahead, in frames of about one head, for the progress line.

@@ -35,9 +35,6 @@ std::vector<Place> places_of(const Task& task);
 /// The settings of a cell.
 RenderSettings settings_at(const Task& task, const Place& place);
 
-/// Returns whether there is a plan of a frame: settings may not go together.
-bool has_plan(const Scene& scene, const RenderSettings& settings);
-
 /// Measures all cells into `run`; after_cell is called with each as soon as it is there (then run has its
 /// device, too). Stops early, with run.complete = false, when the task says so. Every variant has warmed up
 /// before it is timed; a round draws each variant once, in turns, so that what changes on the machine in the

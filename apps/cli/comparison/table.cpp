@@ -96,7 +96,7 @@ Case compared(const Scene& scene, const Planned& one) {
   return {.name = one.name,
           .shows = one.shows,
           .is_test = generated.has_value(),
-          .found = compare_scene(generated ? *generated : scene, one.settings)};
+          .found = compare_scene_here(generated ? *generated : scene, one.settings)};
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ struct Table {
 std::vector<std::string> test_scenes_of(const std::vector<std::string>& names);
 
 /// Compares case by case; ends early when hooks of the settings say so, unless no case is there: then throws
-/// Cancelled. Throws as compare_scene(), before the first case for what is refused.
+/// Cancelled. Throws as compare_scene() does, before the first case for what is refused.
 Table compare_table(const Scene& scene, const TableSettings& settings);
 
 /// Returns relMSE less the noise of the reference where that is known; at least a hundredth of the noise.

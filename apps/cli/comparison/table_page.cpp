@@ -142,7 +142,6 @@ std::string table_json(const Table& table) {
                     {"cases", ordered_json::array()}};
   for (const Case& one : table.cases) {
     ordered_json found = scene_comparison_object(one.found);
-    found.erase("settings");
     json["cases"].push_back({{"name", one.name}, {"shows", one.shows}, {"comparison", std::move(found)}});
   }
   // Names of files need not be UTF-8.

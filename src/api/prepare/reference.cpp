@@ -281,6 +281,7 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
   steps.reset();
 
   ReferencePicture out;
+  out.model = r.model;
   out.complete = sample(tracer, r, fingerprint, film);
 
   // The call may have been ended: what it has is still to be handed over.

@@ -9,10 +9,8 @@
 namespace dermis::cli::comparison {
 namespace {
 
-image::Image8 grey(std::uint8_t value) {
-  image::Image8 p{.width = 2, .height = 1, .rgba = std::vector<std::uint8_t>(8, value)};
-  p.rgba[3] = p.rgba[7] = 255;
-  return p;
+std::vector<std::uint8_t> grey(std::uint8_t value) {
+  return {value, value, value, 255, value, value, value, 255};
 }
 
 ComparedTechnique technique(const std::string& name, double ms, double rel_mse, double noise = 1e-5) {
@@ -29,8 +27,8 @@ ComparedTechnique technique(const std::string& name, double ms, double rel_mse, 
                           .rel_mse = rel_mse + noise,
                           .rel_mse_unbiased = rel_mse,
                           .share = 1}};
-  t.shown = grey(90);
-  t.flip_map = {.width = 2, .height = 1, .channels = 1, .values = {0.1f, 0.2f}};
+  t.display_rgba = grey(90);
+  t.flip = {0.1f, 0.2f};
   return t;
 }
 
@@ -39,7 +37,7 @@ Case case_of(const std::string& name, std::vector<ComparedTechnique> techniques)
   one.found.scene = "head <1>";
   one.found.width = 2, one.found.height = 1;
   one.found.regions = {{"skin", {1, 1}, 2}};
-  one.found.shown_reference = grey(100);
+  one.found.reference_display = grey(100);
   one.found.techniques = std::move(techniques);
   return one;
 }

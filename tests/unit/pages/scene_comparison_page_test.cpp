@@ -27,11 +27,11 @@ SceneComparison made_up() {
                {"ears", std::vector<std::uint8_t>(8), 0}};
 
   const auto picture = [](std::uint8_t value) {
-    image::Image8 p{.width = 4, .height = 2, .rgba = std::vector<std::uint8_t>(32, value)};
-    for (std::size_t i = 3; i < 32; i += 4) p.rgba[i] = 255;
-    return p;
+    std::vector<std::uint8_t> rgba(32, value);
+    for (std::size_t i = 3; i < 32; i += 4) rgba[i] = 255;
+    return rgba;
   };
-  c.shown_reference = picture(100);
+  c.reference_display = picture(100);
 
   for (const char* name : {"texture-space", "lambert"}) {
     ComparedTechnique t;
@@ -54,8 +54,8 @@ SceneComparison made_up() {
                             .rel_mse_unbiased = {},
                             .share = 0.5},
                 std::nullopt};
-    t.shown = picture(120);
-    t.flip_map = {.width = 4, .height = 2, .channels = 1, .values = std::vector<float>(8, 0.1f)};
+    t.display_rgba = picture(120);
+    t.flip = std::vector<float>(8, 0.1f);
     c.techniques.push_back(t);
   }
 

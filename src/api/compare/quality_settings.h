@@ -7,7 +7,7 @@
 
 #include "dermis/renderer.h"
 
-namespace dermis::cli::comparison {
+namespace dermis::api {
 
 /// One setting of one technique.
 struct QualitySetting {
@@ -22,4 +22,4 @@ struct QualitySetting {
 std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSettings& common,
                                              const std::string& technique);
 
-}  // namespace dermis::cli::comparison
+}  // namespace dermis::api

@@ -10,7 +10,7 @@
 
 #include "dermis/renderer.h"
 
-namespace dermis::cli::bench {
+namespace dermis::api {
 
 /// Half of the memory of the device of this name, 2 GiB if it does not say: the other half is for the scene
 /// and for one frame that is on its way.
@@ -47,4 +47,4 @@ class HeldFrames {
   std::vector<Entry> entries_;
 };
 
-}  // namespace dermis::cli::bench
+}  // namespace dermis::api

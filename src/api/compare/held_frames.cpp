@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench/held_frames.h"
+#include "api/compare/held_frames.h"
 
 #include <algorithm>
 
 #include "core/error.h"
 #include "gpu/device.h"
 
-namespace dermis::cli::bench {
+namespace dermis::api {
 
 std::uint64_t half_of_device(const std::string& device) {
   for (const DeviceInfo& summary : gpu::list_devices())
@@ -53,4 +53,4 @@ PreparedFrame& HeldFrames::prepared(Entry& entry) {
   return *entry.frame;
 }
 
-}  // namespace dermis::cli::bench
+}  // namespace dermis::api

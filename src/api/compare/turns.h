@@ -6,11 +6,9 @@
 #include <atomic>
 #include <vector>
 
-#include "cli/bench/held_frames.h"
-#include "cli/bench/statistics.h"
 #include "dermis/renderer.h"
 
-namespace dermis::cli::comparison {
+namespace dermis::api {
 
 /// A frame of the turns.
 struct Turn {
@@ -23,4 +21,4 @@ struct Turn {
 std::vector<std::vector<double>> draw_in_turns(Renderer& renderer, const std::vector<Turn>& turns, int rounds,
                                                const std::atomic<bool>* stop);
 
-}  // namespace dermis::cli::comparison
+}  // namespace dermis::api

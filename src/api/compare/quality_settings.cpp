@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "cli/comparison/quality.h"
+#include "api/compare/quality_settings.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cstdint>
 
-#include "cli/bench/measure.h"
 #include "settings/names.h"
 #include "techniques/technique.h"
 
-namespace dermis::cli::comparison {
+namespace dermis::api {
 namespace {
 
 constexpr std::array tap_counts{5, 7, 9, 13, 17, 25, 33, 64, 128, 256, 1024};
@@ -61,6 +60,14 @@ void add_maps(const RenderSettings& common, std::vector<QualitySetting>& to) {
   }
 }
 
+// Settings may not go together.
+bool has_plan(const Scene& scene, const RenderSettings& settings) {
+  try {
+    describe_plan(scene, settings);
+    return true;
+  } catch (const InputError&) { return false; }
+}
+
 }  // namespace
 
 std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSettings& common,
@@ -76,8 +83,8 @@ std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSet
 
   std::vector<QualitySetting> possible;
   for (QualitySetting& one : wanted)
-    if (bench::has_plan(scene, one.settings)) possible.push_back(std::move(one));
+    if (has_plan(scene, one.settings)) possible.push_back(std::move(one));
   return possible;
 }
 
-}  // namespace dermis::cli::comparison
+}  // namespace dermis::api
