@@ -2,8 +2,9 @@
 # dermis_install()
 #   What find_package(dermis) needs: the public headers, the static libraries behind dermis_api (found by
 #   following their links, so that a new room joins by itself), and the package files. All in the component
-#   "development". The target to link is dermis::dermis, or dermis::draw for what draws arrays alone. A room
-#   that brings in a new outside library adds it to dermisConfig.cmake.in.
+#   "development". The targets to link are dermis::dermis, dermis::draw for what draws arrays alone, and
+#   dermis::dataset for dermis/dataset.h. A room that brings in a new outside
+#   library adds it to dermisConfig.cmake.in.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -28,17 +29,18 @@ function(dermis_rooms_behind target result)
 endfunction()
 
 function(dermis_install)
-  add_library(dermis::dermis ALIAS dermis_api)
-  add_library(dermis::draw ALIAS dermis_api_draw)
-  set_target_properties(dermis_api PROPERTIES EXPORT_NAME dermis)
-  set_target_properties(dermis_api_draw PROPERTIES EXPORT_NAME draw)
-  foreach(library api api_draw)
-    target_compile_features(dermis_${library} INTERFACE cxx_std_20)
-    target_include_directories(dermis_${library} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  foreach(door IN ITEMS dermis/api draw/api_draw dataset/dataset)
+    get_filename_component(name ${door} DIRECTORY)
+    get_filename_component(room ${door} NAME)
+    add_library(dermis::${name} ALIAS dermis_${room})
+    set_target_properties(dermis_${room} PROPERTIES EXPORT_NAME ${name})
+    target_compile_features(dermis_${room} INTERFACE cxx_std_20)
+    target_include_directories(dermis_${room} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   endforeach()
 
   set(rooms "")
   dermis_rooms_behind(dermis_api rooms)
+  dermis_rooms_behind(dermis_dataset rooms)
   set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/dermis)
   install(TARGETS ${rooms} EXPORT dermis ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT dermis NAMESPACE dermis:: FILE dermisTargets.cmake DESTINATION ${folder}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Draws samples: assets, scene, session.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "dataset/lock.h"
+#include "dataset/recipe.h"
+#include "dermis/session.h"
+
+namespace dermis::dataset {
+
+/// A sample on its way.
+struct Ordered {
+  Place place;
+  Json json;  ///< the parameters, then the camera
+  Ticket ticket{};
+};
+
+/// A drawn sample.
+struct Drawn {
+  Place place;
+  Json json;
+  Results results;
+};
+
+/// One thread at a time may use it.
+class Studio {
+ public:
+  /// Throws DeviceError: no such device.
+  Studio(std::shared_ptr<const Recipe::State> recipe, std::string device, const Hooks& hooks);
+
+  /// Begins to draw, and returns while the device works: results() of the sample before may be asked for
+  /// until then. Throws InputError that names recipe, sample, identity and parameter; DeviceError.
+  Ordered begin(std::uint64_t sample);
+  Drawn finish(Ordered&& ordered);
+  /// Opens the device anew after it was lost. Assets stay.
+  void reopen();
+
+  /// The scene of the sample that was begun last.
+  const Scene& scene() const { return heads_.front().scene; }
+
+  /// Of the device that draws. Draws sample 0 if none was drawn.
+  DeviceClass device_class();
+
+ private:
+  struct Kept {
+    std::string key;
+    Scene scene;
+    std::array<double, 3> centre_m{};
+  };
+  Kept& head_of_sample(const Json& identity);
+  Ordered ordered(const Place& place);
+
+  std::shared_ptr<const Recipe::State> recipe_;
+  std::string device_;
+  Hooks hooks_;
+  std::deque<Kept> heads_;  ///< the one used last is in front
+  std::optional<Renderer> renderer_;
+  std::optional<Session> session_;
+  std::optional<DeviceClass> class_;
+};
+
+}  // namespace dermis::dataset
