@@ -225,7 +225,9 @@ void add_scene(CLI::App& command, SceneArguments& arguments) {
   command
       .add_option("SCENE", arguments.scenes,
                   "a .gltf, .glb or scene file (docs/scenes.md), or several .gltf and .glb beside each "
-                  "other. 'built-in', or nothing: the built-in head, also built-in:light and built-in:dark. "
+                  "other. 'built-in', or nothing: the built-in head, also built-in:light and built-in:dark, "
+                  "or one of six classes of skin, built-in:ita-very-light, -light, -intermediate, -tan, "
+                  "-brown, -dark. "
                   "'test:NAME': a test scene (docs/choosing.md)")
       ->type_name(scene_type)
       ->default_str("");
@@ -261,7 +263,9 @@ void check_is_there(const std::string& file) {
   std::error_code error;
   if (is_built_in(file) || std::filesystem::exists(file, error)) return;
   const std::string meant =
-      did_you_mean(file, {"built-in", "built-in:light", "built-in:medium", "built-in:dark"});
+      did_you_mean(file, {"built-in", "built-in:light", "built-in:medium", "built-in:dark",
+                          "built-in:ita-very-light", "built-in:ita-light", "built-in:ita-intermediate",
+                          "built-in:ita-tan", "built-in:ita-brown", "built-in:ita-dark"});
   if (!meant.empty()) throw input_error(file, "no such file{}", meant);
 }
 

@@ -2,6 +2,7 @@
 // What the skins of the built-in head are made of: pigments of measured groups of people.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 
@@ -9,7 +10,24 @@
 
 namespace dermis::builtin_head {
 
-enum class Tone : std::uint8_t { light, medium, dark };
+/// Three skins of groups of people, then one in each class of the individual typology angle of skin,
+/// ITA = atan((L* - 50) / b*). Based on: Chardon, Cretois, Hourseau: Skin colour typology and suntanning
+/// pathways. International Journal of Cosmetic Science 13, 1991
+enum class Tone : std::uint8_t {
+  light,
+  medium,
+  dark,
+  ita_very_light,    ///< over 55 degrees
+  ita_light,         ///< 41 to 55
+  ita_intermediate,  ///< 28 to 41
+  ita_tan,           ///< 10 to 28
+  ita_brown,         ///< -30 to 10
+  ita_dark           ///< under -30
+};
+/// In the order of Tone.
+inline constexpr std::array tone_names{"light",          "medium",    "dark",
+                                       "ita-very-light", "ita-light", "ita-intermediate",
+                                       "ita-tan",        "ita-brown", "ita-dark"};
 
 /// Colours that no pigment of skin gives, linear Rec.709.
 struct Colouring {

@@ -45,10 +45,9 @@ bool take(const std::byte*& from, std::vector<Vector>& values) {
 }  // namespace
 
 std::filesystem::path kept_file(const std::filesystem::path& folder, Tone tone, int map_size) {
-  constexpr const char* names[] = {"light", "medium", "dark"};
   if (folder.empty()) return {};
-  return folder /
-         fmt::format("built-in-{}-{}-{}.bin", names[static_cast<std::size_t>(tone)], map_size, code_hash());
+  return folder / fmt::format("built-in-{}-{}-{}.bin", tone_names[static_cast<std::size_t>(tone)], map_size,
+                              code_hash());
 }
 
 std::optional<Baked> kept(const std::filesystem::path& file, int map_size) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -23,12 +24,11 @@ namespace {
 constexpr std::string_view built_in_prefix = "built-in:";
 
 builtin_head::Tone tone_of(const std::string& name, std::string_view skin) {
-  using builtin_head::Tone;
-  if (skin == "light") return Tone::light;
-  if (skin == "medium") return Tone::medium;
-  if (skin == "dark") return Tone::dark;
-  throw input_error(name, "the built-in head has no skin '{}'; {}", skin,
-                    listed_names(skin, {"light", "medium", "dark"}));
+  constexpr auto& names = builtin_head::tone_names;
+  const auto found = std::ranges::find(names, skin);
+  if (found == names.end())
+    throw input_error(name, "the built-in head has no skin '{}'; {}", skin, listed_names(skin, names));
+  return static_cast<builtin_head::Tone>(found - names.begin());
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The three skins: their pigments are those of measured groups, and cheek, forehead and lips have those
+// The skins: their pigments are those of measured groups, and cheek, forehead and lips have those
 // colours.
 #include "builtin_head/complexion.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -45,6 +46,19 @@ constexpr Measured groups[] = {
      {38.14, 12.66, 15.04},
      {37.7, 17.2, 14.7}}};
 
+// One skin in each class, and the bounds of its typology angle in degrees.
+struct OfClass {
+  Tone tone;
+  Lab skin;
+  double over_deg, to_deg;
+};
+constexpr OfClass classes[] = {
+    {Tone::ita_very_light, {68.5, 5.6, 11.1}, 55, 90},   {Tone::ita_light, {65.0, 7.1, 13.3}, 41, 55},
+    {Tone::ita_intermediate, {62.1, 8.4, 16.3}, 28, 41}, {Tone::ita_tan, {56.4, 11.7, 16.3}, 10, 28},
+    {Tone::ita_brown, {43.71, 12.89, 17.15}, -30, 10},   {Tone::ita_dark, {38.14, 12.66, 15.04}, -90, -30}};
+
+double typology_angle_deg(const Lab& lab) { return std::atan2(lab.l - 50, lab.b) * 180 / std::numbers::pi; }
+
 void expect_pigments(const optics::Pigments& found, const Lab& measured) {
   optics::Skin fixed = optics::measured_skin();
   fixed.oxygenation = found.oxygenation;
@@ -61,6 +75,22 @@ TEST(Complexion, IsTheNearestSkinOfAMeasuredGroup) {
   }
 }
 
+TEST(Complexion, EachClassOfTypologyAnglesHasASkin) {
+  for (const OfClass& one : std::span(classes).first(tests::turns(std::size(classes), std::size_t{1}))) {
+    SCOPED_TRACE(tone_names[static_cast<std::size_t>(one.tone)]);
+    expect_pigments(complexion(one.tone).skin, one.skin);
+
+    optics::Skin skin = optics::measured_skin();
+    skin.melanin = complexion(one.tone).skin.melanin;
+    skin.haemoglobin = complexion(one.tone).skin.haemoglobin;
+    skin.oxygenation = complexion(one.tone).skin.oxygenation;
+    const double angle_deg = typology_angle_deg(optics::lab_from_linear(optics::skin_colour(skin)));
+    std::printf("%s: %.1f degrees\n", tone_names[static_cast<std::size_t>(one.tone)], angle_deg);
+    EXPECT_GT(angle_deg, one.over_deg);
+    EXPECT_LE(angle_deg, one.to_deg);
+  }
+}
+
 struct Mean {
   std::array<double, 3> sum{};
   int count = 0;
@@ -74,6 +104,34 @@ struct Mean {
     return optics::lab_from_linear({sum[0] * enters, sum[1] * enters, sum[2] * enters});
   }
 };
+
+// Faces of a class have its colour on the forehead, not only as pigments.
+TEST(Complexion, ForeheadsHaveTheAngleOfTheirClass) {
+  constexpr int side = tests::turns(256, 128);
+  const Sculpture bust;
+  const scene::Primitive& mesh = tests::built_in_head().primitives.front();
+  const std::optional<Baked> head = kept(kept_file(cache::default_folder(), Settings{}.tone, 64), 64);
+  ASSERT_TRUE(head);
+
+  for (const OfClass& one : std::span(classes).first(tests::turns(std::size(classes), std::size_t{2}))) {
+    SCOPED_TRACE(tone_names[static_cast<std::size_t>(one.tone)]);
+    const image::Image8 colour = bake(bust, head->net, mesh, side, complexion(one.tone)).colour;
+    const Skin skin(bust, complexion(one.tone));
+    Mean forehead;
+    for (const scene::Vertex& v : mesh.vertices) {
+      const vec3 mm = 1000.0f * v.position_m - vec3(0, Sculpture::eyes_over_origin_mm, 0);
+      const Region r = skin.region(mm);
+      if (r.forehead > 0.9f && r.scalp < 0.02f)
+        forehead.add(colour.at(std::min(side - 1, static_cast<int>(side * v.uv0.x)),
+                               std::min(side - 1, static_cast<int>(side * v.uv0.y))));
+    }
+    ASSERT_GT(forehead.count, 20);
+    const double angle_deg = typology_angle_deg(forehead.lab());
+    std::printf("%s: forehead %.1f degrees\n", tone_names[static_cast<std::size_t>(one.tone)], angle_deg);
+    EXPECT_GT(angle_deg, one.over_deg);
+    EXPECT_LE(angle_deg, one.to_deg);
+  }
+}
 
 TEST(Complexion, CheekForeheadAndLipsAreWithin4OfTheMeasuredColours) {
   constexpr int side = tests::turns(512, 128);
