@@ -51,6 +51,13 @@ join() {
   convert "${@:3}" -filter Lanczos -resize "$2!" +append -quality 88 -strip "docs/pictures/$1.jpg"
 }
 
+# with_errors NAME SIZE REFERENCE A B ERROR_A ERROR_B: above the pictures, below the errors of A and B
+with_errors() {
+  convert \( "${@:3:3}" -filter Lanczos -resize "$2!" +append \) \
+    \( "${@:6:2}" -filter Lanczos -resize "$2!" +append \) \
+    -gravity east -background black -append -quality 88 -strip "docs/pictures/$1.jpg"
+}
+
 # pair NAME HEAD OPTION...: out/pictures/NAME.png, and NAME-lambert.png without scattering
 pair() {
   render "$@"
@@ -108,7 +115,7 @@ truth-side() {
   side
   local id
   for id in reference technique-0 technique-2 technique-0-error technique-2-error; do from_page side $id; done
-  join $1 256x288 $out/side-{reference,technique-0,technique-2,technique-0-error,technique-2-error}.png
+  with_errors $1 256x288 $out/side-{reference,technique-0,technique-2,technique-0-error,technique-2-error}.png
 }
 
 regions() {
@@ -133,7 +140,8 @@ shape-aware() {
     --supersample 4 --profile $out/skin2.json --model volume --samples 256 --techniques texture-space
   local id
   for id in reference technique-{1,0} technique-{1,0}-error; do from_page shape $id; done
-  join $1 256x288 $out/shape-{reference,technique-1,technique-0,technique-1-error,technique-0-error}.png
+  with_errors $1 256x288 $out/shape-{reference,technique-1,technique-0}.png \
+    $out/shape-technique-{1,0}-error.png
 }
 
 # No tone map: the curves and strips of a plot.

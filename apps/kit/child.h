@@ -25,7 +25,7 @@ struct Ended {
   bool stopped = false;    ///< was ended because `stop` was set
   double seconds = 0;      ///< wall clock
   double peak_mb = 0;      ///< largest resident set, 1e6 bytes
-  std::string out, err;    ///< what it wrote, the first MiB of each
+  std::string out, err;    ///< its output, the first MiB of each
 
   bool ok() const { return status == 0 && !timed_out && !stopped; }
   /// Returns one line: the last that it wrote to standard error, or how it was ended. Empty if ok().

@@ -137,8 +137,8 @@ bool find_libraries(const char* kit, const char* program, char (&said)[512]) {
   return !all.is_cut() && ::setenv("LD_LIBRARY_PATH", all.get(), 1) == 0;
 }
 
-/// Tells the loader of the kit's validation layer, and of drivers that stand where it does not look. What the
-/// caller has set stays.
+/// Tells the loader of the kit's validation layer, and of drivers that stand where it does not look.
+/// Variables that the caller has set stay.
 void find_layers_and_drivers(const char* kit) {
   Text layers;
   layers.add(kit).add("/share/vulkan/explicit_layer.d");

@@ -80,7 +80,7 @@ int measure(const Arguments& a, const std::string& command, const fs::path& kit)
   Measurement measurement(task, std::move(devices));
   measurement.run();
 
-  // What it was called by stands before the results.
+  // The command line stands before the results.
   Json record;
   for (const auto& [key, value] : measurement.record().items()) {
     record[key] = value;

@@ -55,7 +55,8 @@ bool has_light_maps(const std::string& technique) {
   return techniques::find_technique(technique).has_light_maps;
 }
 
-// What the loader says of drivers that it could not open: "ERROR: ...", one line each, the first of them.
+// Returns the loader's message about drivers that it could not open: "ERROR: ...", one line each, the first
+// of them.
 std::string loader_error(const std::string& said) {
   std::size_t from = said.find("ERROR");
   if (from == std::string::npos) return "";
@@ -204,7 +205,7 @@ Json Measurement::switches() {
         if (stopped()) return all;
         if (task_.extent != Extent::full && is_of_light_maps(change.path) && !has_light_maps(technique))
           continue;
-        // What is built in is the same in every picture, and takes seconds to make.
+        // The built-in head is the same in every picture, and takes seconds to make.
         if (head == Heads::built_in && subjects.size() > 1 && !change.path.empty()) continue;
 
         const std::string file = place("switch.json");
@@ -222,7 +223,7 @@ Json Measurement::switches() {
                      {"offered", true}};
         note.update(render(what, words, place("switch.png"), ended));
         note["settings"] = settings;
-        // What a technique has not, it says so.
+        // A technique that does not have a setting says so.
         if (ended.err.find("is not known to this technique") != std::string::npos) note["offered"] = false;
         if (!ended.ok() && note["offered"] && !ended.stopped) fail(what, ended.why());
         drop_repeated_statistics(note);

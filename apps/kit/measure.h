@@ -26,8 +26,8 @@ struct Task {
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// The device that dermis would take, first; throws DeviceError of one line if there is none that it can use:
-/// no driver (with what the Vulkan loader says), or what each of them lacks.
+/// The device that dermis would take, first. Throws DeviceError of one line if there is none that it can use:
+/// no driver (with the Vulkan loader's message), or the features that each lacks.
 Json find_devices(const Task& task);
 
 class Measurement {

@@ -59,7 +59,7 @@ constexpr Sample samples[] = {{"camera.fov_deg", "40"},
                               {"output.show", R"("blur:5")"},
                               {"output.show", R"("shadow:0")"}};
 
-// What a switch needs beside itself to show.
+// Settings that a switch needs beside itself to show.
 constexpr Sample companions[] = {
     {"camera.eye_m", R"({"camera": {"target_m": [0, 0, 0]}})"},
     {"lighting.environment_intensity", R"({"lighting": {"environment": "studio"}})"},

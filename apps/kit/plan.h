@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What the kit runs, as lists.
+// SPDX-License-Identifier: MIT Lists of the runs of the kit.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,9 +7,9 @@
 
 namespace dermis::kit {
 
-/// How much is run.
+/// Extent of a run.
 enum class Extent {
-  full,   ///< what a record of docs/results holds; an hour of a GPU, days of a software driver
+  full,   ///< all of a record of docs/results; an hour of a GPU, days of a software driver
   quick,  ///< each kind of measurement at a size that a software driver manages in minutes
   smoke   ///< whether everything starts; its figures say nothing
 };
@@ -40,7 +39,7 @@ bool is_fixed(const std::string& path);
 /// Returns the settings of a small picture with one switch, as `dermis render --settings` reads them.
 nlohmann::ordered_json settings_with(const std::string& technique, const Switch& change);
 
-/// What must hold on any device, and the tests that prove it: filters of kit_checks.
+/// A statement that must hold on any device, and the tests that prove it: filters of kit_checks.
 struct Invariant {
   std::string name, filter;
   bool quick = false;  ///< is part of a quick run

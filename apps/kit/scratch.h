@@ -7,7 +7,7 @@
 namespace dermis::kit {
 
 /// A folder beside the results, so that whatever a measurement writes takes room where the results will; gone
-/// at the end. What a killed run has left is removed by the next one: a run holds a lock as long as it lives.
+/// at the end. The next run removes the files of a killed one: a run holds a lock as long as it lives.
 class Scratch {
  public:
   /// Makes `results` if it is not there. Throws InputError: it cannot be written to, or has less than

@@ -149,7 +149,7 @@ void App::draw_frame() {
     area_ = main_layout(desk, *history_, doing, window_.take_keys());
     if (!ImGui::IsAnyItemActive()) ++gesture_;
     apply(desk);
-    // What was edited is begun before the panels are shown.
+    // Edits are begun before the panels are shown.
     take_skin();
     wish();
   }
@@ -159,7 +159,7 @@ void App::draw_frame() {
 }
 
 // Shows the panels that were laid out. On a software driver that takes both processors as long as a profile
-// does: after an edit of the skin it is put off once, and the new picture brings the panels with it.
+// does. So after an edit of the skin it is put off once, and the new picture brings the panels with it.
 void App::show_frame(bool edits_skin) {
   if (edits_skin && presenter_.is_software() && !has_picture_news_ && !is_put_off_) {
     presenter_.drop();
@@ -229,7 +229,7 @@ double App::seconds_to_frame() const {
   return std::max(every_s - seconds_since(drawn_at_), retry);
 }
 
-// How long nothing will happen by itself; negative: for ever.
+// Returns the seconds in which nothing will happen by itself; negative: for ever.
 double App::timeout() const {
   if (frames_left_ > 0) return std::max(seconds_to_frame(), 0.0);
   if (view_.playing) return play_frame_s;
@@ -270,8 +270,8 @@ int App::run() {
   return close();
 }
 
-// Ends what works beside the window. What does not end in time ends with the program: nothing that it may be
-// writing appears under its name half-written.
+// Ends what works beside the window. A thread that does not end in time ends with the program. No file that
+// it may be writing appears under its name half-written.
 int App::close() {
   const Clock::time_point start = Clock::now();
   first_.end();

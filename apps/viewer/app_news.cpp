@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What the threads beside the window have found.
+// SPDX-License-Identifier: MIT News from the threads beside the window.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,7 +73,7 @@ void App::show(std::shared_ptr<const Painted> painted) {
   view_.frame_ms.push_back(static_cast<float>(painted->ms));
   if (view_.frame_ms.size() > 120) view_.frame_ms.erase(view_.frame_ms.begin());
   if (!painted->moving) exposure_ev_ = picture.statistics.exposure_ev;
-  // What was wrong is so no more.
+  // The error of before is over.
   if (view_.is_error && painted->revision != (shown_ ? shown_->revision : 0)) view_.message.clear();
   shown_ = std::move(painted);
   has_picture_news_ = true;

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What panels ask for: files, undo, the camera.
+// SPDX-License-Identifier: MIT Requests of panels: files, undo, the camera.
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the viewer holds while it runs, and how it goes round: news from the threads, a frame of panels,
-/// wishes.
+/// State of the viewer while it runs, and its loop: news from the threads, a frame of panels, wishes.
 #pragma once
 
 #include <chrono>
@@ -113,12 +112,12 @@ class App {
   Background<Comparison> comparer_{Window::wake};
   std::optional<Comparison> comparison_;
 
-  // What was wished last, and when something last changed.
+  // The last wish, and the time of the last change.
   struct Wished {
     std::uint64_t serial = 0;  // grows with each change of the rest
     std::uint64_t revision = 0;
     int width = 0, height = 0;
-    int shaders = 0;     // how often they have changed
+    int shaders = 0;     // number of their changes
     bool truth = false;  // B is, so A is drawn as the truth is
     std::string show{};
     bool timed = false, labels = false, light = false;

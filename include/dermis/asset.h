@@ -43,9 +43,8 @@ struct SceneOptions {
   /// bytes per texel, 14.7 of colour maps. Over it the largest maps are halved while they are read, with a
   /// note.
   double texture_budget_mb = 2000;
-  /// Other pigments for the skin, whose colour map changes by as much as the spectral model says
-  /// (docs/theory.md): pictures of what volume fractions it is to have, as `dermis profile --head` writes
-  /// them; empty: as its colour map has them.
+  /// Other pigments for the skin: pictures of volume fractions, as `dermis profile --head` writes them;
+  /// empty: those of its colour map. The spectral model (docs/theory.md) changes the colour map.
   std::string melanin_map{}, haemoglobin_map{};
   /// Multiply those fractions, 0.01 to 100: blush, tan, pallor.
   double melanin_factor = 1, haemoglobin_factor = 1;

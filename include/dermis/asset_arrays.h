@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// A head and what belongs to it, from the memory of a host: the content of a glTF file as arrays. What is
-/// not given has glTF's default; what is made of the arrays is what a file with the same content gives
-/// (missing normals and tangents, blended skin, the texture budget, the same warnings).
+/// A head and what belongs to it, from the memory of a host: the content of a glTF file as arrays. Members
+/// that are not given have glTF's defaults. The asset is that of a file with the same content, also in its
+/// missing normals and tangents, blended skin, texture budget and warnings.
 ///
 ///   dermis::AssetArrays head;
 ///   head.name = "hero";
@@ -59,7 +59,7 @@ struct AssetMesh {
   std::span<const std::uint32_t> indices{};
 };
 
-/// What a map has beyond its border.
+/// A map beyond its border.
 enum class AssetWrap : std::uint8_t { repeat, clamp, mirror };
 
 /// An image on a mesh.
@@ -86,7 +86,7 @@ struct AssetLobe {
   float weight = 1;            ///< 0 to 1
 };
 
-/// What skin has beside AssetMaterial; `extras.dermis` of a file.
+/// Properties of skin beside AssetMaterial; `extras.dermis` of a file.
 struct AssetSkin {
   std::optional<ScatterProfile> profile{};  ///< none: the published six Gaussians
   /// 0 to 1: how much of the colour acts before light scatters, the rest after; none: 0.5. 0 for photographs.
@@ -103,15 +103,15 @@ struct AssetSkin {
   std::vector<AssetLobe> lobes{};
 };
 
-/// What the alpha of the base colour does.
+/// Use of the alpha of the base colour.
 enum class AssetAlpha : std::uint8_t { opaque, mask, blend };
 
 /// A metallic-roughness material of glTF 2.0. Colours and factors are linear.
 struct AssetMaterial {
   std::string name;
-  /// Whether it is skin, unless SceneOptions::skin_material names one. none: it is if "skin" is a
-  /// word of its name and no material says that it is, or if it is the only material in use and no other is
-  /// called skin. Skin that is blended is drawn as a surface, with a warning.
+  /// Whether it is skin, unless SceneOptions::skin_material names one. none: it is if "skin" is a word of its
+  /// name and no material says that it is. Also if it is the only material in use and no other is called
+  /// skin. Skin that is blended is drawn as a surface, with a warning.
   std::optional<bool> skin{};
   std::array<float, 4> base_colour{1, 1, 1, 1};  ///< 0 to 1, with alpha
   AssetMap base_colour_map{};                    ///< sRGB, alpha linear

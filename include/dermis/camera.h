@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The camera by which a picture shows a scene, as the settings and the scene choose it, in the conventions
-/// of OpenCV: for labels, and for programs that project points of the scene by themselves.
+/// The camera of a picture, as settings and scene choose it, in the conventions of OpenCV. For labels, and
+/// for programs that project points of the scene by themselves.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace dermis {
 struct ResolvedCamera {
   bool orthographic = false;
   int width = 0, height = 0;  ///< of the picture, pixels
-  double near_m = 0;          ///< what is nearer is not shown
+  double near_m = 0;          ///< nearer surfaces are not shown
   std::array<double, 9> k{};  ///< K, row by row; focal lengths in pixels, of an orthographic one pixels per m
   std::array<double, 9> r{};  ///< R, row by row: camera from world, a rotation
   std::array<double, 3> t_m{};

@@ -13,7 +13,7 @@ struct DeviceInfo {
   std::string type;                ///< discrete, integrated, virtual, software, other
   std::string api;                 ///< version of Vulkan, "1.3.230"
   std::uint64_t memory_bytes = 0;  ///< its largest heap of its own
-  /// What dermis needs and the device has not, a sentence each; empty: Renderer can use it.
+  /// Features that dermis needs and the device has not, a sentence each; empty: Renderer can use it.
   std::vector<std::string> missing;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the library tells its caller while it works, and how the caller ends the work.
+/// Messages and progress of the library while it works, and a way for the caller to end the work.
 ///
 ///   dermis::Hooks hooks;
 ///   hooks.log = [&](dermis::LogLevel, const std::string& line) { engine.log(line); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a frame of a session gives: the picture, and labels that say for each pixel what it shows.
+/// Outputs of a frame of a session: the picture, and labels of each pixel.
 ///
 /// Labels are unfiltered: one sample at the middle of the pixel, never averaged over several and never
 /// blended, so that a number is always one that the scene has. They are of the opaque and cut-out parts of
@@ -40,7 +40,7 @@ class Outputs {
     for (const Output output : outputs) bits_ |= bit(output);
   }
   static constexpr Outputs picture() { return {Output::display, Output::linear}; }
-  /// What takes light: all but the labels.
+  /// Outputs that take light: all but the labels.
   static constexpr Outputs lit() { return {Output::display, Output::linear, Output::matte}; }
   static constexpr Outputs labels() {
     return {Output::instance, Output::material, Output::depth,     Output::normal, Output::uv,
@@ -62,7 +62,7 @@ class Outputs {
   std::uint32_t bits_ = 0;
 };
 
-/// How an output lies in memory: rows from top to bottom, without padding, `channels` values per pixel.
+/// Layout of an output in memory: rows from top to bottom, without padding, `channels` values per pixel.
 struct OutputRow {
   Output output{};
   const char* name = "";  ///< "depth"; of the command line, of files and of the Python module
@@ -81,7 +81,7 @@ std::span<const OutputRow> output_rows();
 /// The outputs of one frame, in the memory that the device wrote; those that the session does not want are
 /// empty. A lease: the spans stay as they are, whatever the session draws, until the last copy of the object
 /// is destroyed, by any thread, also after session and renderer. A session whose memory is all leased takes
-/// more of it. Whoever writes into the spans writes into that memory.
+/// more of it. Writes into the spans go into that memory.
 struct Results {
   int width = 0, height = 0;  ///< pixels
 
@@ -102,23 +102,22 @@ struct Results {
   /// nothing is there.
   std::span<float> depth_m;
   /// Three values per pixel: the vertices' normals, interpolated, without normal maps. Of unit length, in the
-  /// world, on the side of the surface that is seen: as everywhere, interpolated ones may lean away from the
-  /// eye by a little near an outline. 0 0 0: nothing is there.
+  /// world, on the side of the surface that is seen. Near an outline interpolated ones may lean away from the
+  /// eye by a little. 0 0 0: nothing is there.
   std::span<float> normal;
   /// Two values per pixel: the asset's first set of texture coordinates as they are in the file, v down,
   /// before the transform of a map; any number. 0 0 where nothing is, and where the mesh has none.
   std::span<float> uv;
-  /// Two values per pixel: by how many pixels that point of the surface has moved in the picture since the
-  /// frame that the session drew before, to the right and down, by camera, instance and pose together. So it
-  /// was at the middle of the pixel minus these. 0 0 where nothing is, in the first frame, and for an
-  /// instance that the frame before had not; infinity where the point lay behind the camera. An instance that
-  /// was outside the picture counts from the pose in which it was drawn last; one whose pose has just been
-  /// taken off, from its rest.
+  /// Two values per pixel: pixels, to the right and down, that this point of the surface has moved in the
+  /// picture since the session's frame before. Camera, instance and pose move it. So it was at the middle of
+  /// the pixel minus these. 0 0 where nothing is, in the first frame, and for an instance that the frame
+  /// before had not; infinity where the point lay behind the camera. An instance that was outside the picture
+  /// counts from the pose in which it was drawn last; one whose pose has just been taken off, from its rest.
   std::span<float> motion_px;
   enum Region : std::uint8_t { no_region, nose, ear, other_skin };
-  /// A Region: nose and ears of a head that looks along +Z in its asset's coordinates, found from its shape
-  /// as picture_regions() finds them (docs/methodology.md), at the vertices of the skin. `other_skin` is the
-  /// rest of the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
+  /// A Region: nose and ears of a head that looks along +Z in its asset's coordinates. They are found at the
+  /// vertices of the skin, as picture_regions() finds them (docs/methodology.md). `other_skin` is the rest of
+  /// the skin, and all skin that is no such head; `no_region` is nothing, or no skin.
   std::span<std::uint8_t> region;
   /// 0: no skin is there. Else 1 + the number of the skin mesh in the asset: parts of it that share a light
   /// map.
@@ -126,12 +125,12 @@ struct Results {
   /// Two values per pixel: the texture coordinates of the light map of that skin mesh, 0 to 1, v down, which
   /// the map of `output.show` "irradiance" has, too. 0 0 where no skin is.
   std::span<float> unwrap;
-  /// Thickness of the body below the skin, millimetres, as light that follows its shape takes it: the mean of
-  /// rays into a cone around the inward normal, in the rest pose, times the scale of the instance. What is
-  /// thicker than 50 mm times that scale, or does not close, has that. 0 where no skin is.
+  /// Thickness of the body below the skin, millimetres. It is the mean of rays into a cone around the inward
+  /// normal, in the rest pose, times the scale of the instance: the thickness that laws of shape use. The
+  /// most is 50 mm times that scale, also where the body does not close. 0 where no skin is.
   std::span<float> thickness_mm;
 
-  /// How much of the pixel heads cover, 0 to 1, as the picture samples it; blended parts (lashes, brows) by
+  /// Share of the pixel that heads cover, 0 to 1, as the picture samples it; blended parts (lashes, brows) by
   /// their alpha. The picture over light of radiance L behind the heads is linear + (1 - matte) * L. No
   /// label: it takes a lit frame.
   std::span<float> matte;

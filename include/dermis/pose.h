@@ -7,10 +7,10 @@
 ///                                        .weights = {{"jawOpen", 0.4}}});
 ///   scene.set_pose(head, {});  // as the asset was loaded
 ///
-/// What can move is what a glTF file says of it: its nodes ("joints"), skins, morph targets and animations
+/// Moving parts are those of a glTF file: its nodes ("joints"), skins, morph targets and animations
 /// ("clips"). Asset::clips(), joints() and morph_weights() name them. A pose moves vertices, on the device
 /// and without loading anything again. Camera, lamps and the unit of distances stay those of the asset as it
-/// was loaded, so that a picture does not breathe with a mouth; docs/scenes.md says what else is at rest.
+/// was loaded, so that a picture does not breathe with a mouth. docs/scenes.md lists what else is at rest.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ struct MorphWeight {
   double weight = 0;   ///< -100 to 100; 0: none of it, 1: all of it
 };
 
-/// Where a node stands against its parent, in place of what a clip has. It scales, then turns, then moves.
-/// What has no value stays as the clip, or else the asset as it was loaded, has it.
+/// Where a node stands against its parent, in place of what a clip has. It scales, then turns, then moves. A
+/// member without a value stays as in the clip, or else in the asset as it was loaded.
 struct JointTransform {
   std::string name{};                                  ///< as Asset::joints() names it
   std::optional<std::array<double, 3>> translation{};  ///< in the file's unit of length, -1e6 to 1e6

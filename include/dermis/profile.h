@@ -43,9 +43,8 @@ struct Coefficients {
   bool operator==(const Coefficients&) const = default;
 };
 
-/// How much light leaves curved and thin skin of a medium, where the profile is that of a flat half-space:
-/// laws fitted to light followed through spheres, cylinders and slabs (docs/theory.md, "Shapes"). Per
-/// channel.
+/// Share of the light that leaves curved and thin skin, relative to a flat half-space. The laws are fitted to
+/// light followed through spheres, cylinders and slabs (docs/theory.md, "Shapes"). Per channel.
 struct ShapeLaws {
   // Total over curvature: 1 + a H / (1 + b |H| + e D) + c D^2, H the mean of the principal curvatures (1/mm,
   // convex positive) and D half of their difference.
@@ -68,7 +67,7 @@ struct ShapeLaws {
 /// R(r) = total * sum_i w_i exp(-r^2 / (2 v_i)) / (2 pi v_i), r in mm, per colour channel (linear Rec.709).
 struct ScatterProfile {
   std::string name;
-  std::string model;                                 ///< which model made it
+  std::string model;                                 ///< the model that made it
   std::vector<double> variances_mm2;                 ///< 1 to 8, > 0, rising
   std::vector<std::array<double, 3>> weights;        ///< as many, >= 0, summing to 1 per channel within 1e-3
   std::array<double, 3> error_percent{};             ///< of the fit, docs/theory.md
@@ -76,15 +75,15 @@ struct ScatterProfile {
   /// 1 / sigma_t'; of the equivalent half-space where skin has layers
   std::array<double, 3> mean_free_path_mm{};
   std::array<double, 3> diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 where there is no absorption
-  /// What the profile was made of, index included: the medium in which ground truth follows light. Of layers
-  /// and spectral skin, the equivalent half-space. None of published sets, and of files before there was one.
+  /// The medium of the profile, index included, in which ground truth follows light. Of layers and spectral
+  /// skin, the equivalent half-space. None of published sets, and of files before there was one.
   std::optional<Coefficients> medium;
-  /// how its light changes with the shape of the body; with a medium alone
+  /// change of its light with the shape of the body; with a medium alone
   std::optional<ShapeLaws> shape;
-  /// what the model itself reflects; "beam" can give more light back than entered
+  /// reflectance of the model itself; "beam" can give more light back than entered
   std::array<double, 3> model_total{};
 
-  // What profile_of_...() add, and no file keeps.
+  // Added by profile_of_...(), and kept by no file.
   std::string model_reason;  ///< why ProfileModel::automatic chose the model; empty if it was asked for
   /// null of a profile that profile_of_...() has not made; shared by copies
   std::shared_ptr<const ModelCurves> model_curves;
@@ -103,7 +102,7 @@ struct SpectralSkin {
   double epidermis_mm = 0.25;  ///< 0.01 to 2
 };
 
-/// How light is taken to spread; docs/theory.md has the equations, and how far each is from the truth.
+/// Model of the spread of light; docs/theory.md has the equations, and the distance of each from the truth.
 enum class ProfileModel : std::uint8_t {
   dipole,       ///< of a half-space [JMLH01]
   better,       ///< the better dipole; leaves out light that scattered only once
@@ -113,13 +112,13 @@ enum class ProfileModel : std::uint8_t {
   automatic     ///< the cheapest that is right for the coefficients
 };
 
-/// What a fit of Gaussians gets right.
+/// Measure by which a fit of Gaussians is best.
 enum class ProfileFit : std::uint8_t {
   plane,  ///< R(r) over the plane, [JG08] eq. 2: the core, where most of the light leaves
   energy  ///< the light that leaves within r, at each r on a logarithmic scale: core and tail alike
 };
 
-/// How to compute.
+/// Options of the computation.
 struct ProfileOptions {
   int gaussians = 6;  ///< 1 to 8
   ProfileModel model = ProfileModel::automatic;
@@ -153,10 +152,9 @@ ProfileTable model_table(const ScatterProfile& profile, const Hooks& hooks = {})
 /// total_reflectance.
 std::array<double, 3> reflectance(const ScatterProfile& profile, double r_mm);
 
-/// Throws InputError for what no picture can be made with: no term or more than 8, weights that are fewer or
-/// more than variances, a variance that is not > 0 or does not rise, a weight below 0, weights of a channel
-/// that do not sum to 1, a total outside 0..1, whatever is not finite. Every function that takes a profile
-/// calls it.
+/// Throws InputError if no picture can be made with the profile. So it must have 1 to 8 terms with as many
+/// weights as variances, variances > 0 that rise, and weights >= 0 that sum to 1 per channel. Totals lie
+/// within 0..1, and all numbers are finite. Every function that takes a profile calls it.
 void check_profile(const ScatterProfile& profile);
 
 /// A published profile by name ("skin"), else a profile file; with the checks of `render --profile`.

@@ -7,8 +7,8 @@
 ///   truth.picture.save("truth.exr");
 ///
 /// Three models (docs/theory.md, "Ground truth"): "bssrdf" integrates the very profile that the real-time
-/// techniques blur, over the surface, so a difference is the error of their method; "volume" follows light
-/// through the medium, so a difference to "bssrdf" is the error of diffusion theory; "gaussians" is "bssrdf"
+/// techniques blur, over the surface, so a difference is the error of their method. "volume" follows light
+/// through the medium, so a difference to "bssrdf" is the error of diffusion theory. "gaussians" is "bssrdf"
 /// of every profile that the techniques take, those with a term without width too.
 ///
 /// Takes minutes to hours. The picture depends on settings and seed only: threads, stops and checkpoints do
@@ -27,14 +27,14 @@
 
 namespace dermis {
 
-/// How far a run is.
+/// Progress of a run.
 struct ReferenceProgress {
   int samples = 0, most_samples = 0;     ///< per pixel: so far, and at most
   double noise_percent = 100;            ///< mean standard error over skin, per cent of the mean
   double seconds = 0, seconds_left = 0;  ///< since the start of this run, and an estimate
 };
 
-/// What spreads light in the skin.
+/// Model by which light spreads in the skin.
 enum class ReferenceModel : std::uint8_t {
   bssrdf,  ///< the profile, integrated over the surface
   volume,  ///< the medium, in which light is followed from one scattering to the next
@@ -43,7 +43,7 @@ enum class ReferenceModel : std::uint8_t {
   gaussians
 };
 
-/// How to compute the truth; RenderSettings say of what.
+/// Options of ground truth; RenderSettings say of which picture.
 struct ReferenceSettings {
   ReferenceModel model = ReferenceModel::bssrdf;
   /// Of the model "volume": a preset, or "sigma_a=... sigma_s=... g=... eta=..." per mm; empty: the medium
@@ -89,7 +89,7 @@ struct ReferencePicture {
 /// - InputError: a setting out of range, an unknown name or medium, a checkpoint of another picture;
 /// - DeviceError: too little memory for the triangles;
 /// - Cancelled: a hook has ended the work before every pixel had a sample. Later it returns what there is;
-/// - what a hook throws, once the checkpoint is written.
+/// - any exception of a hook, once the checkpoint is written.
 ReferencePicture render_reference(const Scene& scene, const RenderSettings& settings,
                                   const ReferenceSettings& reference = {}, const Hooks& hooks = {});
 
@@ -101,8 +101,8 @@ struct PictureRegion {
 };
 
 /// Returns the parts of a picture where techniques differ from the truth for different reasons, found from
-/// the scene, its camera and its lights: "skin", "ears", "nose", "terminator", "shadow edges", "thin parts",
-/// "folds", "seams", "the rest" (docs/methodology.md says how each is found). Any may be empty. Needs no
+/// the scene, its camera and its lights. They are "skin", "ears", "nose", "terminator", "shadow edges", "thin
+/// parts", "folds", "seams" and "the rest"; docs/methodology.md defines each. Any may be empty. Needs no
 /// device. Throws as render_reference() does, and Cancelled if a hook ends the work.
 std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSettings& settings,
                                            const Hooks& hooks = {});

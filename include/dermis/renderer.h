@@ -29,7 +29,7 @@
 
 namespace dermis {
 
-/// What one pass of the plan took on the device.
+/// Device time and memory of one pass of the plan.
 struct PassStatistics {
   std::string name;  ///< as describe_plan() prints it
   double ms = 0;     ///< median over the frames
@@ -40,7 +40,7 @@ struct PassStatistics {
   std::uint64_t texels = 0, image_bytes = 0;
 };
 
-/// What was rendered, on what, and what it cost. docs/methodology.md says how each figure is taken.
+/// Settings, device and cost of a picture. docs/methodology.md says how each figure is taken.
 struct Statistics {
   /// names, for display; api is the version of Vulkan
   std::string device, driver, api, technique;
@@ -125,7 +125,7 @@ struct Host;  // dermis/vulkan.h
 class HostFrames;
 }  // namespace vulkan
 
-/// What a renderer has asked its device for so far. A steady frame of a session adds one submission.
+/// Requests of a renderer to its device so far. A steady frame of a session adds one submission.
 struct DeviceCounters {
   std::uint64_t allocations = 0;  ///< of memory from the driver
   std::uint64_t buffers = 0, images = 0, pipelines = 0;
@@ -199,9 +199,9 @@ class PreparedFrame {
   /// Throws as Renderer::render() does. After an InputError the frame is as before. After a DeviceError or
   /// Cancelled it cannot be drawn until a set() succeeds: draw() and picture() throw Cancelled.
   void set(const RenderSettings& settings);
-  /// Likewise, of an edited scene or of another one. Costs what has changed: moved instances and lights cost
-  /// little, but a turned instance under an environment some 15 ms and 4 MB per skin mesh; a new asset is
-  /// uploaded; another number of instances, and a profile or a scale that none had, make a new plan.
+  /// Likewise, of an edited scene or of another one. Costs what has changed. Moved instances and lights cost
+  /// little, but an instance that turns in an environment costs some 15 ms and 4 MB per skin mesh. A new
+  /// asset is uploaded. Another number of instances, and a profile or a scale that none had, make a new plan.
   void set(const Scene& scene, const RenderSettings& settings);
 
   /// Draws one frame and returns its time, ms. Before the first after a change, draws another

@@ -98,15 +98,15 @@ class Scene {
 
   /// Writes a scene file, atomically: load() of it gives an equal scene, and the same picture to the bit.
   /// Assets stay in their files, which it names relative to itself. Throws InputError: an asset that is of no
-  /// file, surroundings of pixels, or an instance whose pose is more than a clip at a time (says which); the
-  /// file cannot be written, or holds one of the assets.
+  /// file, surroundings of pixels, or an instance whose pose is more than a clip at a time (says which). Also
+  /// if the file cannot be written, or holds one of the assets.
   void save(const std::filesystem::path& path) const;
 
   /// Names the scene file or the asset, or how many instances there are.
   std::string name() const;
 
-  // All that follow throw InputError: an id that is not of this scene; a number out of its range or not
-  // finite; a transform that is not rigid with one positive scale. The scene is then as before.
+  // All that follow throw InputError: an id of another scene, a number out of its range or not finite, a
+  // transform that is not rigid with one scale > 0. The scene is then as before.
 
   InstanceId add(const Instance& instance);
   void remove(InstanceId id);                 ///< with the lights of its rig
@@ -120,9 +120,9 @@ class Scene {
 
   /// Poses an instance; none: as its asset was loaded. Costs a fraction of a millisecond on the host; the
   /// next frame moves the vertices, of this instance alone. Throws InputError in one line: a clip, joint or
-  /// morph weight that the asset does not have (lists those it has), or that several nodes are called by; a
-  /// clip whose key frames are faulty; a number out of range or not finite; a pose in which something is more
-  /// than 1e6 m away. The instance then stands as before.
+  /// morph weight that the asset does not have (lists those it has), or a name of several nodes. Likewise for
+  /// a clip with faulty key frames, a number out of range or not finite, and a pose in which something is
+  /// more than 1e6 m away. The instance then stands as before.
   void set_pose(InstanceId id, const std::optional<RigPose>& pose);
   /// set_pose() with one clip.
   void pose(InstanceId id, const std::string& clip, double seconds);

@@ -11,10 +11,10 @@
 ///
 /// draw() returns before the device has drawn. Camera, lights, transforms, exposure and the rotation of an
 /// environment change from frame to frame without waiting for the device, without an allocation on it and
-/// with one submission. What makes a new plan (RenderSettings of the structure, a number of instances, a
-/// profile or a scale that no instance had) or needs new maps costs that once. A picture is the same to the
-/// bit as that of Renderer::render(). What a session gives is said when it is made: nothing else is drawn or
-/// read back.
+/// with one submission. Changes that make a new plan (RenderSettings of the structure, a number of instances,
+/// a profile or a scale that no instance had) or need new maps cost that once. A picture is the same to the
+/// bit as that of Renderer::render(). Outputs of a session are named when it is made: nothing else is drawn
+/// or read back.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@
 
 namespace dermis {
 
-/// What one frame shows: a camera. Its target has the size that OutputSettings have.
+/// The view of one frame: a camera. Its target has the size that OutputSettings have.
 struct View {
   CameraSettings camera{};
 };
@@ -42,7 +42,7 @@ class Session {
     /// memory for its results and for what changes per frame, but not for maps.
     int frames_in_flight = 2;
     bool statistics = false;  ///< counts what each frame computes: Statistics of its picture; costs time
-    /// What results() give, at least one. Labels take one more pass, which is one more time all visible
+    /// Outputs of results(), at least one. Labels take one more pass, which is one more time all visible
     /// triangles; without display, linear and matte nothing is lit. Nose, ears and thickness of an asset are
     /// found when region or thickness is first wanted of it: a second for 20,000 triangles; the thickness is
     /// kept in the cache.

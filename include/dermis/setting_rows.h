@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// The settings as data: the rows that range checks, the command line, JSON and the docs are made from, for
-/// programs that make options, panels or keywords of them; and settings as JSON text.
+/// The settings as data: the rows of which range checks, the command line, JSON and the docs are made.
+/// Programs make options, panels or keywords of them. Also settings as JSON text.
 ///
-///   for (const dermis::SettingRow& row : dermis::rows_of(dermis::RenderSettings{})) add(row.option,
-///   row.help); dermis::RenderSettings settings; dermis::read_settings(R"({"camera": {"fov_deg": 30}})",
-///   settings);
+///   for (const dermis::SettingRow& row : dermis::rows_of(dermis::RenderSettings{}))
+///     add(row.option, row.help);
+///   dermis::RenderSettings settings;
+///   dermis::read_settings(R"({"camera": {"fov_deg": 30}})", settings);
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What to render: the settings of Renderer and, for the most part, of the reference. Each structure has
-/// defaults, so that a program names what differs:
+/// Settings of Renderer and, for the most part, of the reference. Each structure has defaults, so that a
+/// program names what differs:
 ///
 ///   renderer.render(scene, {.camera = {.fov_deg = 30}, .output = {.width = 960, .height = 1080}});
 ///
@@ -76,8 +76,8 @@ struct SkinSettings {
   /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
   std::optional<double> mix{};
   bool translucency = true;  ///< light also comes through the body: ears lit from behind glow
-  /// How much light leaves follows the curvature and the thickness of the body (docs/techniques.md); none:
-  /// true for profiles that know their medium, false for published ones, which cannot have it.
+  /// Light that leaves follows the curvature and the thickness of the body (docs/techniques.md). none: true
+  /// for profiles that know their medium, false for published ones, which cannot have it.
   std::optional<bool> shape_aware{};
 };
 
@@ -88,10 +88,10 @@ enum class BlurMask : std::uint8_t {
   depth   ///< drawn, and the depth test rejects it
 };
 
-/// What techniques in screen space blur by.
+/// Kernel of the techniques in screen space.
 enum class ScreenKernel : std::uint8_t {
   profile,    ///< the profile of the skin, in mm
-  published,  ///< what the technique was published with
+  published,  ///< the kernel of the technique's publication
   ue          ///< of burley-disc alone: the profile, weighted as Unreal Engine does
 };
 
@@ -104,7 +104,7 @@ struct QualitySettings {
   int map_size = 2048;
   int shadow_size = 2048;  ///< texels
   int samples = 4;         ///< anti-aliasing, 1 or 4 per pixel
-  /// Points, 1 or 2, at which skin is lit and shaded in a pixel that one surface covers: light has edges and
+  /// Points, 1 or 2, at which skin is lit and shaded in a pixel that one surface covers. Light has edges and
   /// glints finer than a pixel, which anti-aliasing of surfaces does not see.
   int light_samples = 2;
 
@@ -112,9 +112,9 @@ struct QualitySettings {
   bool depth = true;                        ///< light maps only as large as the head's distance needs
   bool clip = true;                         ///< leave out skin outside the picture and a margin
   std::optional<bool> skip_unseen_heads{};  ///< heads wholly outside the picture; none: if any of these is on
-  /// The shadow maps of heads and lights that have not moved since the frame before are not drawn again.
-  /// Frames of a session or a host give each head maps of its own for that, up to 512 MB of them; others have
-  /// as many as heads are lit together.
+  /// The shadow maps of heads and lights that have not moved since the frame before are not drawn again. So
+  /// in frames of a session or a host each head has maps of its own, up to 512 MB of them. Others have as
+  /// many as heads are lit together.
   bool keep_shadows = true;
 
   std::optional<BlurMask> mask{};               ///< of technique `published`; none: depth
@@ -148,9 +148,9 @@ struct OutputSettings {
   std::optional<double> exposure_ev = 0.0;
   ToneMap tone_map = ToneMap::natural;
   double bloom = 0.05;  ///< share of the light that is spread over the picture, 0 to 1
-  /// what stands behind the heads, where no surface covers a pixel: black; studio, a grey wall that is lit in
-  /// its middle; environment, the surroundings, else lighting.ambient; or #RRGGBB, a colour of the display
-  /// (sRGB), which neither exposure nor tone map changes. A host's frames have none
+  /// behind the heads, where no surface covers a pixel: black; studio, a grey wall that is lit in its middle;
+  /// environment, the surroundings, else lighting.ambient. Or #RRGGBB, a colour of the display (sRGB), which
+  /// neither exposure nor tone map changes. A host's frames have none
   std::string background = "black";
   int frames = 1;  ///< timed frames after one warm-up, >= 1
   /// picture, irradiance, visibility, stretch, texel-density, blur:K, shadow:K

@@ -105,8 +105,8 @@ struct PictureTargets {
   /// cameras of the views must have the same: InputError.
   bool reversed_depth = true;
   /// Of the largest images that views will have, pixels; needed, because record() may not allocate. The skin
-  /// of a pixel is shaded once for all its samples, in memory of dermis's own (24 bytes per pixel, with four
-  /// samples 84), and then written into these targets, at the depth of its triangles. Skin that the host has
+  /// of a pixel is shaded once for all its samples, in memory of dermis's own: 24 bytes per pixel, with four
+  /// samples 84. Then it is written into these targets, at the depth of its triangles. Skin that the host has
   /// hidden is shaded, too.
   VkExtent2D largest{};
 };
@@ -179,9 +179,9 @@ struct MaterialImage {
 /// heads must be in it (record_depth()): their own shadows and the thickness of their ears come from its
 /// depth, and without them light passes through the body. Depth does not say which side of a surface the
 /// light meets: where the inside of an open mesh is lit, light may come through at its edges. Reads are
-/// offset along the normal, by texels of the map: no depth bias of the host's is needed, and on a head texels
-/// should not be much wider than 0.5 mm. What lies outside the map is lit. Contents may change in every
-/// frame; view, extent and matrix by update(), at the cost of a pose.
+/// offset along the normal, by texels of the map, so no depth bias of the host's is needed. On a head texels
+/// should not be much wider than 0.5 mm. Skin outside of the map is lit. Contents may change in every frame;
+/// view, extent and matrix by update(), at the cost of a pose.
 struct LightShadow {
   LightId light{};
   /// D32_SFLOAT or D16_UNORM, 2D, one sample, SAMPLED; in SHADER_READ_ONLY_OPTIMAL while commands of
@@ -210,7 +210,7 @@ struct IrradianceTarget {
   VkDeviceSize records_offset = 0, records_bytes = 0;
 };
 
-/// What a host gives besides scene and settings. Copied.
+/// Inputs of a host besides scene and settings. Copied.
 struct HostInputs {
   /// Heads that are lit, but not drawn by record(): the host does, by way (iii).
   std::vector<InstanceId> drawn_by_host{};
@@ -222,7 +222,7 @@ struct HostInputs {
   std::function<void(VkCommandBuffer, const IrradianceTarget&)> draw_irradiance{};
 };
 
-/// What record() has recorded, for the commands that follow in this frame.
+/// Results of record(), for the commands that follow in this frame.
 struct Recorded {
   // With Options::scattered: see dermis/scattered.glsl.
   VkImageView scattered = VK_NULL_HANDLE;  ///< 2D array, RGBA16F, SHADER_READ_ONLY_OPTIMAL
@@ -253,9 +253,9 @@ class HostFrames {
   ~HostFrames();
 
   /// Takes the scene and the settings for the frames that follow. Costs what changed: poses, lights, exposure
-  /// and the like a little processor time. What needs memory, maps or pipelines (the first call, another
-  /// asset, another number of instances ...) uploads by submissions of its own to the host's queue and waits
-  /// for these; frames in flight may go on.
+  /// and the like a little processor time. Changes that need memory, maps or pipelines (the first call,
+  /// another asset, another number of instances) are uploaded by submissions of dermis to the host's queue.
+  /// The call waits for these; frames in flight may go on.
   ///
   /// Of the settings, camera and size of the picture are those of the views; output.exposure_ev must be
   /// given; tone map, bloom and samples have no meaning. Instances with a pose (Scene::set_pose()) are
@@ -274,7 +274,7 @@ class HostFrames {
   /// mode of the command buffer are undefined, graphics and compute; all other state is as before.
   ///
   /// Throws InputError, and records nothing: null, a matrix that is not a camera, numbers that run back, more
-  /// frames than may be in flight, a view for which update() has not made room (it says so).
+  /// frames than may be in flight. Also a view for which update() has not made room; the message says so.
   Recorded record(VkCommandBuffer commands, std::span<const View> views, const FrameNumbers& numbers);
 
   /// Draws the depth of the heads that the scene of the last update() shows, skin and all other opaque parts,
@@ -285,9 +285,9 @@ class HostFrames {
   void record_depth(VkCommandBuffer commands, const std::array<double, 16>& clip_from_world,
                     const DepthView& view);
 
-  /// Takes moved vertices of an instance named in HostInputs::deformed; they stay until the next call.
-  /// Before record_depth() and record() of the frame. What stretches on its map blurs as in the asset's rest
-  /// shape; what leaves the asset's bounding sphere may lose its shadow.
+  /// Takes moved vertices of an instance named in HostInputs::deformed; they stay until the next call. Before
+  /// record_depth() and record() of the frame. Skin that stretches on its map blurs as in the asset's rest
+  /// shape. Vertices that leave the asset's bounding sphere may lose their shadow.
   void record_deformation(VkCommandBuffer commands, InstanceId instance,
                           std::span<const DeformedMesh> meshes);
 

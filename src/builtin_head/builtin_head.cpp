@@ -64,7 +64,7 @@ scene::Material make_material() {
   m.skin_settings.specular = map_ref(2, 0);
   m.skin_settings.roughness = map_ref(2, 1);
   m.skin_settings.detail.image = 3;
-  // Far away it fades and leaves no roughness behind, so it may not be as steep as furrows are: with its
+  // Far away it fades and leaves no roughness behind, so it may not be as steep as furrows are. With its
   // whole slopes a small picture is 1.3 times as far from the truth (HDR-FLIP).
   m.skin_settings.detail.scale = 0.3f;
   m.skin_settings.detail.transform = glm::mat3x2(tiles_per_chart, 0, 0, tiles_per_chart, 0, 0);

@@ -17,11 +17,11 @@ struct Settings {
       cache{};  ///< folder that keeps net and maps for the next call (core/cache.h); empty: none
 };
 
-/// Makes the head: about 40,000 triangles. What comes from the cache has the same bits. The first primitive
-/// is the skin, one chart with colour, normal, specular and roughness maps; then eyes, caruncles, tears,
-/// teeth, gums and tongue, brows and lashes. Looks along +Z, its centre near the origin, about 0.32 m tall.
-/// Texture coordinates of the skin in 0..1 do not overlap and hardly stretch it (unwrap.h); the seam is at
-/// the back. No lights, no cameras; a rig (head_rig.h). The same bits on every run.
+/// Makes the head: about 40,000 triangles. A head from the cache has the same bits. The first primitive is
+/// the skin, one chart with colour, normal, specular and roughness maps; then eyes, caruncles, tears, teeth,
+/// gums and tongue, brows and lashes. Looks along +Z, its centre near the origin, about 0.32 m tall. Texture
+/// coordinates of the skin in 0..1 do not overlap and hardly stretch it (unwrap.h); the seam is at the back.
+/// No lights, no cameras; a rig (head_rig.h). The same bits on every run.
 scene::Scene make(const Settings& settings = {});
 
 }  // namespace dermis::builtin_head

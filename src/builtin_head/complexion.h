@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What the skins of the built-in head are made of: pigments of measured groups of people.
+// SPDX-License-Identifier: MIT Pigments of the skins of the built-in head: those of measured groups of
+// people.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ inline constexpr std::array tone_names{"light",          "medium",    "dark",
 /// Colours that no pigment of skin gives, linear Rec.709.
 struct Colouring {
   glm::vec3 hair{0}, iris_dark{0}, iris_light{0};
-  float sclera = 1;  ///< how white the white of the eye is, against that of the light skin
+  float sclera = 1;  ///< whiteness of the white of the eye, against that of the light skin
 };
 
 /// Volume fractions that the spectral model has for measured colours (complexion.cpp says whose).

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// How the face moves: displacements of points of the symmetric face, mm.
+// SPDX-License-Identifier: MIT Movements of the face: displacements of points of the symmetric face, mm.
 #pragma once
 
 #include <array>
@@ -16,7 +15,7 @@ constexpr std::array<const char*, 6> expression_names = {"blink left", "blink ri
 inline const vec3 jaw_joint(0, -24, 6);
 inline constexpr float jaw_open_rad = 0.24f;
 
-/// What belongs to a point beside its place.
+/// Properties of a point beside its place.
 struct Attachment {
   /// Row of a node in the mouth's pouch, from the seam: above 0 the upper lip's, below 0 the lower one's; 0:
   /// elsewhere, or the throat.

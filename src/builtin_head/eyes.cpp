@@ -125,7 +125,8 @@ image::Image8 paint_eye(int size, const Colouring& colours) {
   return map;
 }
 
-// How much of its surroundings a place of the eye sees between lids and lashes; brow and nose hide some, too.
+// Share of its surroundings that a place of the eye sees between lids and lashes; brow and nose hide some,
+// too.
 image::Image8 paint_openness(int size) {
   image::Image8 map;
   map.width = map.height = size;

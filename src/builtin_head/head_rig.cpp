@@ -148,7 +148,7 @@ RigMesh skin_mesh(const Net& net, const scene::Primitive& primitive) {
   return mesh;
 }
 
-// How a part beside the skin moves.
+// Movement of a part beside the skin.
 struct PartMotion {
   bool eyes = false;    // each turns about its own centre
   float jaw = 0;        // share of the jaw

@@ -138,7 +138,7 @@ void Places::draw(const std::array<vec2, 3>& nodes) {
   }
 }
 
-// What a texel shows: a point of the sculpture, and the relief over it.
+// The place of a texel: a point of the sculpture, and the relief over it.
 struct Surface {
   vec3 at_mm{0};
   float height_mm = 0;

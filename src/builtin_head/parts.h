@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What the head has beside its skin: eyes with tears and caruncles, teeth, gums and tongue, brows and lashes.
+// SPDX-License-Identifier: MIT Parts of the head beside its skin: eyes with tears and caruncles, teeth, gums
+// and tongue, brows and lashes.
 #pragma once
 
 #include "builtin_head/complexion.h"

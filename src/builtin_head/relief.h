@@ -1,13 +1,12 @@
-// SPDX-License-Identifier: MIT
-// What the skin has that is smaller than the sculpture: pores, the net of furrows between them, and wrinkles
-// where skin folds. Based on:
-// [F15] Flament, Francois, Qiu et al.: Facial skin pores: a multiethnic study. Clinical, Cosmetic and
-// Investigational Dermatology 8, 2015 (visible pores are wider than 0.25 mm)
-// [O04] Otberg, Richter, Schaefer et al.: Variations of hair follicle size and distribution in different body
-// sites. Journal of Investigative Dermatology 122, 2004 (292 follicles per cm^2 of forehead: of these,
-// visible pores are a part) [B84] Borges: Relaxed skin tension lines versus other skin lines. Plastic and
-// Reconstructive Surgery 73, 1984 (directions) [L01] Lemperle, Holmes, Cohen, Lemperle: A classification of
-// facial wrinkles. Plastic and Reconstructive Surgery 108, 2001 (fine wrinkles are less than 0.2 mm deep)
+// SPDX-License-Identifier: MIT Relief of the skin that is smaller than the sculpture: pores, the net of
+// furrows between them, and wrinkles where skin folds. Based on: [F15] Flament, Francois, Qiu et al.: Facial
+// skin pores: a multiethnic study. Clinical, Cosmetic and Investigational Dermatology 8, 2015 (visible pores
+// are wider than 0.25 mm) [O04] Otberg, Richter, Schaefer et al.: Variations of hair follicle size and
+// distribution in different body sites. Journal of Investigative Dermatology 122, 2004 (292 follicles per
+// cm^2 of forehead: of these, visible pores are a part) [B84] Borges: Relaxed skin tension lines versus other
+// skin lines. Plastic and Reconstructive Surgery 73, 1984 (directions) [L01] Lemperle, Holmes, Cohen,
+// Lemperle: A classification of facial wrinkles. Plastic and Reconstructive Surgery 108, 2001 (fine wrinkles
+// are less than 0.2 mm deep)
 #pragma once
 
 #include "builtin_head/noise.h"

@@ -141,7 +141,7 @@ vec3 Skin::tint(const vec3& p, const Region& r, float pore, SkinWalk& walk) cons
            0.22f * r.upper_lid - 0.20f * r.forehead - 0.15f;
   const vec3 q(std::abs(r.symmetric.x), r.symmetric.y, r.symmetric.z);
   blood += 0.45f * bell(q, {18, -42, 90}, {5, 8, 10});
-  // What fills a pore oxidises and is a little darker than the skin around it.
+  // Sebum in a pore oxidises and is a little darker than the skin around it.
   melanin += 0.45f * pore;
 
   // Freckles: sparse cells, each with its own size and strength, over cheeks and nose.

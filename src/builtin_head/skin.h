@@ -17,7 +17,7 @@ struct SkinPoint {
   float height_mm = 0;     ///< of pores and fine lines over the sculpted surface
 };
 
-/// What a texel after the other remembers of its neighbours. Not shared between threads.
+/// Memory of a walk over texels, of their neighbours. Not shared between threads.
 struct SkinWalk {
   ReliefWalk relief;
   NoiseWalk grain{9}, streak{81};

@@ -11,7 +11,7 @@
 namespace dermis::builtin_head {
 
 /// r(direction) about a centre: a cubic radial basis function interpolates the radii of the landmarks over
-/// the sphere of directions (the least bending of all interpolants in space); a cube map of it makes it
+/// the sphere of directions (the least bending of all interpolants in space). A cube map of it makes it
 /// cheap.
 class Skull {
  public:

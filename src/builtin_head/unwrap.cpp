@@ -8,7 +8,7 @@
 namespace dermis::builtin_head {
 namespace {
 
-// How many times as many texels per mm a place gets as the back of the head.
+// Returns the texels per mm of a place, over those of the back of the head.
 float chart_density(const vec3& p, const Frame& ear) {
   const auto near = [](const vec3& q, const vec3& centre, const vec3& radii) {
     const vec3 d = (q - centre) / radii;
@@ -37,7 +37,7 @@ RestTriangle rest_of(const std::array<vec3, 3>& at, float scale) {
   return rest;
 }
 
-// What a triangle costs as a function of the place of one of its corners.
+// Cost of a triangle as a function of the place of one of its corners.
 struct FanCorner {
   vec2 next{0}, last{0};  // the others, counter-clockwise
   float own_cotangent = 0, next_cotangent = 0, last_cotangent = 0, area = 0;

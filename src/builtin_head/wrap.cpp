@@ -154,7 +154,7 @@ vec3 balance(const Net& net, const std::vector<float>& weight, int i, int j) {
     total += w;
   };
   thread(1, 0, 1), thread(-1, 0, 1);
-  // The fold over the crown and the rim are cords that the net hangs on: they keep their length, or the end
+  // The fold over the crown and the rim are cords that the net hangs on. They keep their length, or the end
   // of the fold would be drawn down to the forehead and the rim would bunch up behind.
   if (j == net.rows / rim_part || (j == net.rows && i % net.columns != 0)) return sum / total;
   thread(0, 1, 1), thread(0, -1, 1);

@@ -3,8 +3,8 @@
 // cannot be read or written costs only time: no function here throws.
 //
 // Several processes may use one folder at once. A file appears under its name only when complete (written
-// beside it and renamed), a reader keeps an open file even if it is removed meanwhile, and every file is
-// checked against its checksum.
+// beside it and renamed). A reader keeps an open file even if it is removed meanwhile. Every file is checked
+// against its checksum.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What messages call the three channels of a colour.
+// SPDX-License-Identifier: MIT Names of the three channels of a colour, for messages.
 #pragma once
 
 #include <array>

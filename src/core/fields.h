@@ -20,7 +20,7 @@
 
 namespace dermis {
 
-/// What a row says beside name and member. The default is that of the member.
+/// Properties of a row beside name and member. The default is that of the member.
 struct About {
   std::string_view help;         ///< of a section: its title
   std::string_view unit = {};    ///< of a number; empty: none
@@ -28,7 +28,7 @@ struct About {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool open = false;                   ///< neither `least` nor `most` itself is in range
-  std::string_view none = {};          ///< what holds if an optional has no value, or a text is empty
+  std::string_view none = {};          ///< in place of an optional without a value, or of an empty text
   std::string_view option = {};        ///< its name on the command line, without dashes; empty: it has none
   std::string_view on = {}, off = {};  ///< words of a switch; empty: a flag, or true and false
   bool common = false;                 ///< among the few that most people need: help shows these first

@@ -18,9 +18,9 @@ std::vector<std::byte> read_file(const std::filesystem::path& path,
                                  std::uint64_t limit_bytes = std::uint64_t{2} << 30,
                                  bool allow_empty = false);
 
-/// Writes to a file beside PATH, then renames it: PATH holds the old content or the new, never a part. What a
-/// symbolic link names is written, and the link stays. Throws InputError if the folder is missing or the disk
-/// is full.
+/// Writes to a file beside PATH, then renames it: PATH holds the old content or the new, never a part. The
+/// target of a symbolic link is written, and the link stays. Throws InputError if the folder is missing or
+/// the disk is full.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 

@@ -12,7 +12,7 @@
 namespace dermis {
 
 struct CallContext::Call {
-  /// What enclosing calls share.
+  /// Shared by enclosing calls.
   struct Shared {
     std::mutex mutex;              ///< keeps two threads out of the hooks
     std::set<std::string> warned;  ///< of what warn_once() has warned

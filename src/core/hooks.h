@@ -13,7 +13,7 @@ namespace dermis {
 
 class Steps;
 
-/// What a thread works for: a call of the library, and the step of long work within it. Both may be null.
+/// Task of a thread: a call of the library, and the step of long work within it. Both may be null.
 struct CallContext {
   struct Call;
   std::shared_ptr<Call> call;

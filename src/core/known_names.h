@@ -30,8 +30,8 @@ class KnownNames {
   std::vector<std::string_view> names_;
 };
 
-/// Returns the name that a word most likely stands for, empty if none is near: the one with the fewest typing
-/// errors, at most one in three letters and three in all, else the shortest that begins with the word.
+/// Returns the name that a word most likely stands for, empty if none is near. It has the fewest typing
+/// errors, at most one in three letters and three in all, else it is the shortest that begins with the word.
 /// Capitals, leading dashes and '_' for '-' are no errors.
 std::string_view nearest_name(std::string_view word, const KnownNames& names);
 

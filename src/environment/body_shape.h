@@ -14,16 +14,16 @@
 
 namespace dermis::environment {
 
-inline constexpr float most_thickness_mm = 50;  ///< what is thicker has this
-inline constexpr float most_border_mm = 20;     ///< what is further from a border has this
+inline constexpr float most_thickness_mm = 50;  ///< at most
+inline constexpr float most_border_mm = 20;     ///< at most
 
-/// The scales at which curvature is taken. How light answers to a bump falls with the bump's size as its
+/// The scales at which curvature is taken. The effect of a bump on light falls with the bump's size as the
 /// profile does, narrow and wide; docs/accuracy.md ("Skin that knows its shape") compares scales.
 inline constexpr scene::CurvatureScales curvature_scales{.narrow_mm = 2.5, .wide_mm = 8};
 
 /// Finds the shape at each vertex of a mesh. Convex curvature counts by the share of the directions around
-/// the normal that no other skin closes within 6 mm: the law is that of light that leaves into the open, and
-/// the rims of closed lids and lips, which are convex, would shine.
+/// the normal that no other skin closes within 6 mm. The law holds for light that leaves into the open; by it
+/// alone the convex rims of closed lids and lips would shine.
 ///
 /// The result does not depend on the number of threads. Counts
 /// steps (core/hooks.h): takes up to a second, and throws Cancelled if its caller ends it.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// Light from all directions: a picture of the environment, prepared for skin. No device here.
 ///
-/// Directions: the middle of the picture lies at -Z (behind the head, where a camera in front of the head
-/// sees it), its upper edge at +Y, and +X to the right of the middle. Turned about +Y by `rotation_deg` when
-/// used, from the head's front (+Z) towards its left (+X), as lights are.
+/// Directions: the middle of the picture lies at -Z, behind the head, where a camera in front of the head
+/// sees it. Its upper edge is at +Y, and +X to the right of the middle. Turned about +Y by `rotation_deg`
+/// when used, from the head's front (+Z) towards its left (+X), as lights are.
 #pragma once
 
 #include <array>
@@ -65,7 +65,7 @@ using Irradiance = std::array<glm::dvec3, 9>;
 Irradiance irradiance_of(const Environment& environment);
 glm::dvec3 evaluate(const Irradiance& irradiance, const glm::dvec3& normal);
 
-/// Returns radiance averaged over lobes of growing roughness: level 0 is the picture, levels 1 to 5 are
+/// Returns radiance averaged over lobes of growing roughness. Level 0 is the picture; levels 1 to 5 are
 /// Beckmann lobes of m = 1/16, 1/8, 1/4, 1/2, 1 around the mirrored direction, each half as wide. Sizes
 /// 512x256 to 16x8, 3 channels. Based on: Karis: Real Shading in Unreal Engine 4. SIGGRAPH 2013 course
 /// (normal = view = mirrored direction while averaging).

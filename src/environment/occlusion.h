@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// What each point of the skin sees of the sky: visibility, bent normal, and transfer of light from there.
-/// Darkens nostrils, eye sockets and the fold behind an ear, and the side of a nose that faces away from a
-/// window.
-/// Based on:
-/// [L02]   Landis: Production-Ready Global Illumination. SIGGRAPH 2002 course 16 (bent normals)
+/// The sky from each point of the skin: visibility, bent normal, and transfer of light from there. Darkens
+/// nostrils, eye sockets and the fold behind an ear, and the side of a nose that faces away from a window.
+/// Based on: [L02] Landis: Production-Ready Global Illumination. SIGGRAPH 2002 course 16 (bent normals)
 /// [SKS02] Sloan, Kautz, Snyder: Precomputed Radiance Transfer. SIGGRAPH 2002 (shadowed and interreflected
 ///         diffuse transfer)
 #pragma once
@@ -29,7 +27,7 @@ struct Occlusion {
   /// harmonics of radiance is irradiance.
   std::vector<std::uint16_t> transfer;
   /// side * side * bounced_terms half floats: transfer of the sky light that white occluders reflect once, up
-  /// to order 3, divided by the mean visible share of these occluders; then that share.
+  /// to order 3, divided by the mean visible share of these occluders. Then that share.
   std::vector<std::uint16_t> bounced;
 };
 inline constexpr std::size_t bounced_terms = 16 + 1;
@@ -40,7 +38,7 @@ struct OcclusionSettings {
 };
 
 /// Returns the side [texels] of the map of one mesh, given the number of skin meshes: 512 for up to four,
-/// then smaller, down to 64, so that all together have no more texels than four maps of 512.
+/// then smaller, down to 64. So all together have no more texels than four maps of 512.
 int occlusion_side(std::size_t meshes);
 
 /// Bakes the occlusion of a mesh. Occluders are opaque materials and what the alpha test leaves of cut-out

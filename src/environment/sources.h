@@ -36,8 +36,8 @@ struct Split {
 Split split_sources(const Environment& picture);
 
 /// Returns the harmonics of a sky and of its sources together, which is how occluders see them. Not windowed:
-/// up to order 3 a facing surface has 1.06 of the light of a source, and one that faces away -0.04 at least;
-/// a window without such values leaves 0.58 of it.
+/// up to order 3 a facing surface has 1.06 of the light of a source, and one that faces away -0.04 at least.
+/// A window without such values leaves 0.58 of it.
 SkyHarmonics with_sources(SkyHarmonics sky, std::span<const Source> sources);
 
 /// Returns the solid angle [sr] of one pixel of a row as radiance_at() interpolates it. All pixels of a

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// Which point of a skin mesh lies on the centre of each texel of a map over its unwrap.
+// SPDX-License-Identifier: MIT Points of a skin mesh on the centres of the texels of a map over its unwrap.
 #pragma once
 
 #include <cstddef>

@@ -32,7 +32,7 @@ bool GraphExecutor::is_of_host(const Barrier& b) const {
 
 VkImageMemoryBarrier2 GraphExecutor::image_barrier(const Barrier& b) {
   const gpu::Texture& texture = resources_.textures_[b.index];
-  // How the frame before left a texture depends on the kind of that one.
+  // The layout in which the frame before left a texture depends on the kind of that frame.
   const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
   const VkImageLayout old_layout = keeps ? layouts_[b.index] : b.old_layout;
   layouts_[b.index] = b.new_layout;

@@ -24,8 +24,8 @@ struct Id {
 using TextureId = Id<gpu::Texture>;
 using BufferId = Id<gpu::Buffer>;
 
-/// How a pass uses a resource. Each access has one set of stages, access flags and (for textures) one layout:
-/// see row_of().
+/// Use of a resource by a pass. Each access has one set of stages, access flags and (for textures) one
+/// layout: see row_of().
 enum class Access : std::uint8_t {
   sampled,        ///< texture read through a sampler
   storage_read,   ///< storage buffer or image, read only

@@ -14,7 +14,7 @@
 
 namespace dermis::frame {
 
-/// What plan.add() takes for one pass.
+/// Arguments of plan.add() for one pass.
 template <class Pass>
 struct Member {
   typename Pass::In in;

@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// A profile in the parameters of other systems, and back. Each convention is taken from that system's own
-// source or documentation; docs/exports.md cites them line by line. What a system cannot hold is said in the
-// output ("lost").
+// SPDX-License-Identifier: MIT A profile in the parameters of other systems, and back. Each convention is
+// taken from that system's own source or documentation; docs/exports.md cites them line by line. The output
+// says what a system cannot hold ("lost").
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@ namespace dermis::gaussians {
 /// "separable", "unity", "unreal", "gltf", "openpbr", "cycles".
 std::vector<std::string_view> exchange_names();
 
-/// What an export starts from.
+/// Input of an export.
 struct Exported {
   std::string name;
   std::array<profile::ProfilePtr, 3> profiles;
@@ -32,7 +31,7 @@ struct Exported {
 /// (lists the known ones).
 std::string export_text(std::string_view system, const Exported& input);
 
-/// What an import yields: a Burley profile per channel, or a medium.
+/// Result of an import: a Burley profile per channel, or a medium.
 struct Imported {
   std::string name;
   optics::Rgb total_reflectance{};
@@ -42,8 +41,8 @@ struct Imported {
 };
 
 /// "SYSTEM key=R,G,B key=...", e.g. "unity reflectance=0.8,0.5,0.4 scattering_distance=0.76,0.32,0.2".
-/// InputError: unknown system or key (lists them), and every text whose unit or meaning is open: the message
-/// names the readings it could have, with the length that each would give.
+/// InputError: unknown system or key (lists them), and every text whose unit or meaning is open. Its message
+/// then names the readings it could have, with the length that each would give.
 Imported parse_import(const std::string& text, const std::string& where);
 
 }  // namespace dermis::gaussians

@@ -198,7 +198,7 @@ Json separable(const Exported& input) {
             "light beyond three sigmas of the widest term is folded in by normalising"}}};
 }
 
-/// What every system with a total and an index loses.
+/// Loss of every system with a total and an index.
 void lose(Json& lost, std::string_view system, const Exported& input) {
   if (system == "separable") return;  // a kernel holds neither
   const auto& medium = input.medium;

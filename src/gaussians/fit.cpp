@@ -98,8 +98,8 @@ struct Solution {
 };
 
 /// Searches from three families of starts, because the residual has local minima (two terms sharing one
-/// hump): evenly spread, spread over the upper part of the range, and grown from the solution with one term
-/// fewer.
+/// hump). They are evenly spread, spread over the upper part of the range, and grown from the solution with
+/// one term fewer.
 Solution search(std::span<const Target> channels, const Range& range, int terms) {
   Solution best;
   constexpr std::size_t most_descents = 6;

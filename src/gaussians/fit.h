@@ -32,8 +32,8 @@ struct ChannelFit {
   double weight_sum() const;
 };
 
-/// What is minimised: Int r (R - S)^2 dr, or Int (E_R - E_S)^2 d(log r) with E(r) the light that leaves
-/// within r.
+/// The measure that is minimised: Int r (R - S)^2 dr, or Int (E_R - E_S)^2 d(log r) with E(r) the light that
+/// leaves within r.
 using Measure = ProfileFit;
 
 /// Fits `terms` (1 to 8) Gaussians of variance > 0 to a profile: minimises Int r (R - S)^2 dr, [JG08] eq. 2,

@@ -20,8 +20,8 @@ enum class LeastVariance : std::uint8_t {
 };
 
 /// Terms are sorted narrow to wide. InputError: a key that is not known (lists the known ones), a variance <
-/// 0 (or 0, unless that may be), equal variances, a negative weight, weights that do not sum to 1 within 1e-3
-/// per channel (unless normalise: they are divided by their sum), 0 or more than 8 terms.
+/// 0 (or 0, unless that may be), equal variances, a negative weight, 0 or more than 8 terms. Also weights
+/// that do not sum to 1 within 1e-3 per channel, unless normalise divides them by their sum.
 SumOfGaussians read_json(const json::Value& profile, bool normalise = false,
                          LeastVariance least = LeastVariance::above_zero);
 /// The same from a text, whose place is `where`.

@@ -24,7 +24,7 @@ struct NumberArray {
   std::vector<double> numbers;
 };
 
-// What all files of a kernel are made of.
+// Content of all files of a kernel.
 struct KernelText {
   std::vector<std::pair<std::string, double>> constants;
   std::vector<NumberArray> arrays;

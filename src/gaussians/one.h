@@ -8,7 +8,7 @@
 
 namespace dermis::gaussians {
 
-/// Returns one Gaussian that spreads light as far as the sum does: its variance is the mean of r^2 / 2 over
+/// Returns one Gaussian that spreads light as far as the sum does. Its variance is the mean of r^2 / 2 over
 /// the light of all three channels, that is sum_i w_i v_i averaged over them. All weights are 1, so colours
 /// no longer bleed. Keeps total_reflectance and mean free paths of the sum; the error is unknown.
 SumOfGaussians one_gaussian(const SumOfGaussians& sum);

@@ -15,8 +15,9 @@ namespace dermis::gaussians {
 
 /// Returns the share of a light that skin on a circle of this curvature shows where its normal has this
 /// cosine with the light, white light 1. The profile is taken as its line spread over the length of the arc
-/// [FW14], up to half the circle and four sigma of the widest Gaussian, and divided by its integral. Of a
-/// flat plane (curvature 0) it is the cosine where that is positive. cosine: -1..1; curvature_per_mm >= 0.
+/// [FW14]. It goes up to half the circle and four sigma of the widest Gaussian, and is divided by its
+/// integral. Of a flat plane (curvature 0) it is the cosine where that is positive. cosine: -1..1;
+/// curvature_per_mm >= 0.
 Rgb lit_arc(const SumOfGaussians& profile, double cosine, double curvature_per_mm);
 
 /// The same as published in [Pen11]: the profile itself over the chord of the ring, integrated along the
@@ -26,8 +27,8 @@ Rgb lit_ring(const SumOfGaussians& profile, double cosine, double curvature_per_
 /// Returns the light at x mm inside a lit half-plane (negative: outside), the peak 1.
 Rgb lit_edge(const SumOfGaussians& profile, double x_mm);
 
-/// Returns the distance of a straight edge of light from the middle of a disc that is lit in this share of
-/// its area, 0..1, in radii of the disc: -1..1, positive where more than half is lit.
+/// Returns the distance of a straight edge of light from the middle of a disc, in radii of the disc: -1..1,
+/// positive where more than half is lit. The disc is lit in this share of its area, 0..1.
 double edge_in_disc(double lit_share);
 
 /// Returns the width of the filter of shadows of a profile, four sigma of its widest Gaussian: 10.9 mm for

@@ -64,9 +64,9 @@ double lagrange(const std::array<double, cell_nodes>& node, int n, double x) {
   return product;
 }
 
-/// Adds the rows of the cell low..high, over which Gaussians are nearly cubic: they hold the cubic nearest to
-/// R, weighted by r, so that Int r R S dr and Int r S^2 dr are right however R varies inside. Returns
-/// Int r (R - cubic)^2 dr, which no sum of Gaussians can reduce.
+/// Adds the rows of the cell low..high, over which Gaussians are nearly cubic. They hold the cubic nearest to
+/// R, weighted by r, so that Int r R S dr and Int r S^2 dr are right however R varies inside. Returns Int r
+/// (R - cubic)^2 dr, which no sum of Gaussians can reduce.
 double add_cell(Rows& rows, const RadialProfile& profile, double low, double high) {
   // Four Gauss nodes integrate r l_m l_n (degree 7) exactly, so Lagrange polynomials of the nodes are
   // orthogonal under r dr, with the squared norm weight_n r_n. Three nodes per piece integrate r R l_n

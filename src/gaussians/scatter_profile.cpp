@@ -46,7 +46,7 @@ void check_weights(const ScatterProfile& profile, const std::string& where) {
   }
 }
 
-/// What a profile says of itself beside its terms.
+/// Checks the numbers of a profile beside its terms.
 void check_numbers(const ScatterProfile& profile, const std::string& where) {
   const auto check = [&](const char* name, const Rgb& values, double most) {
     for (std::size_t c = 0; c < 3; ++c) {

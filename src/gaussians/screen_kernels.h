@@ -25,9 +25,9 @@ struct LineTap {
 inline constexpr int least_line_taps = 3, most_line_taps = 33;
 
 /// Returns the kernel of the authors of [JZJ15] with the default strength and falloff of their demo, for any
-/// skin: offsets -3..3 (up to 20 taps -2..2), the middle first and the others in order. Weights of a channel
-/// sum to 1. It is an artist's kernel: a radial profile read as weights, of which the part of light that
-/// "strength" leaves out stays where it is.
+/// skin. Offsets are -3..3 (up to 20 taps -2..2), the middle first and the others in order. Weights of a
+/// channel sum to 1. It is an artist's kernel: a radial profile read as weights, of which the part of light
+/// that "strength" leaves out stays where it is.
 std::vector<LineTap> published_line_kernel(int taps);
 
 /// Returns the line spread of a profile, int R(sqrt(x^2 + y^2)) dy = sum_i w_i g(x, sigma_i), as taps of the
@@ -61,7 +61,7 @@ struct DiscTap {
   double per_density_mm2 = 0;  ///< 1 / the density of taps there: what a profile is multiplied by
 };
 
-/// Returns `taps` (>= 1) taps distributed by the channel that spreads widest: radii are the inverse of its
+/// Returns `taps` (>= 1) taps distributed by the channel that spreads widest. Radii are the inverse of its
 /// share of light within a radius at (i + 1/2) / taps, angles turn by the golden angle. The same for every
 /// pixel and every frame.
 std::vector<DiscTap> disc_taps(const SumOfGaussians& profile, int taps);

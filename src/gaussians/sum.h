@@ -37,7 +37,7 @@ struct SumOfGaussians {
   Rgb error_percent{};
   Rgb mean_free_path_mm{};          ///< 1 / sigma_t'; 0 if unknown
   Rgb diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 if unknown
-  /// what it was made of, see ScatterProfile::medium; none if published or unknown
+  /// its medium, see ScatterProfile::medium; none if published or unknown
   std::optional<Coefficients> medium;
   std::optional<ShapeLaws> shape;  ///< with a medium alone, in mm
 

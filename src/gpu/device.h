@@ -42,7 +42,7 @@ struct DeviceLimits {
   bool software = false;  ///< timestamps between raster passes are not reliable there
 };
 
-/// What a device has been asked for so far. A steady frame adds submissions alone.
+/// Requests to a device so far. A steady frame adds submissions alone.
 struct DeviceCounters {
   std::uint64_t allocations = 0;  ///< of memory from the driver
   std::uint64_t buffers = 0, images = 0, pipelines = 0;

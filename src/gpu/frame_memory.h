@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What the host writes anew for every frame, in one buffer: many small arrays, one copy to the device, and no
-// allocation once it is as large as a frame needs.
+// SPDX-License-Identifier: MIT Memory that the host writes anew for every frame, in one buffer: many small
+// arrays, one copy to the device. There is no allocation once it is as large as a frame needs.
 #pragma once
 
 #include <cstddef>

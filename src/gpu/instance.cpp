@@ -45,8 +45,8 @@ VkBool32 Instance::on_message(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
                               VkDebugUtilsMessageTypeFlagsEXT type,
                               const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
   const std::string_view id = data->pMessageIdName ? data->pMessageIdName : "";
-  // The loader reports here drivers that it could not open, which is not our fault; nor is it that NVIDIA's
-  // driver asks for functions of the instance by vkGetDeviceProcAddr when a device is made.
+  // The loader reports here drivers that it could not open, which is not our fault. Nor is it ours that
+  // NVIDIA's driver asks for functions of the instance by vkGetDeviceProcAddr when a device is made.
   if (id == "Loader Message" || id == "WARNING-vkGetDeviceProcAddr-device") return VK_FALSE;
   const bool error = (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) != 0;
   if (!error && (type & VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT) == 0) return VK_FALSE;

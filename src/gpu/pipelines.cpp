@@ -210,7 +210,7 @@ void FixedFunctions::fill(VkGraphicsPipelineCreateInfo& info) const {
   info.pDynamicState = &dynamic;
 }
 
-// What every device allows (maxPushDescriptors), however many the one at hand does.
+// Every device allows so many (maxPushDescriptors), however many the one at hand does.
 constexpr std::uint32_t most_push_descriptors = 32;
 
 VkSamplerAddressMode address_of(Address address) {
@@ -384,7 +384,7 @@ const Pipeline& PipelineLibrary::graphics(const GraphicsDesc& desc) {
   const std::string key = key_of(desc);
   if (const auto found = s.entries.find(key); found != s.entries.end()) return found->second->pipeline;
   if (desc.cull != Cull::none) {
-    // What is culled is dynamic state: a driver compiles the shaders once for all of it.
+    // The culled face is dynamic state: a driver compiles the shaders once for all of it.
     GraphicsDesc unculled = desc;
     unculled.cull = Cull::none;
     auto entry = std::make_unique<State::Entry>(State::Entry{.pipeline = graphics(unculled), .owns = false});

@@ -38,17 +38,17 @@ PictureHeader read_header8(std::span<const std::byte> bytes, const std::string& 
 /// interlaced picture, coefficients of a progressive one.
 std::uint64_t passing_bytes(const PictureHeader& header, const Shrink& shrink);
 
-/// Decodes PNG or JPEG, recognised by the first bytes, to RGBA8 (grey is copied to R, G and B, a missing
-/// alpha is 255, 16-bit PNG is rounded to 8 bits). `where` names the picture in errors. Throws InputError for
+/// Decodes PNG or JPEG, recognised by the first bytes, to RGBA8. Grey is copied to R, G and B, a missing
+/// alpha is 255, 16-bit PNG is rounded to 8 bits. `where` names the picture in errors. Throws InputError for
 /// an unknown format (names KTX2 and WebP), a truncated or damaged file, one over the limits, a progressive
 /// JPEG whose coefficients take over 1 GB.
 Image8 decode_image8(std::span<const std::byte> bytes, const std::string& where,
                      const DecodeLimits& limits = {}, const Shrink& shrink = {});
 
-/// Decodes Radiance .hdr or OpenEXR, recognised by the first bytes, to 3-channel linear floats (EXR: R, G, B
-/// or Y of the first part; data window cropped to the display window). +infinity becomes 65504, the largest
-/// half, NaN and -infinity 0, with one warning. A picture of more than `most_pixels` is downsampled by 2
-/// while it is read, by area averages, until it has no more.
+/// Decodes Radiance .hdr or OpenEXR, recognised by the first bytes, to 3-channel linear floats. Of EXR: R, G,
+/// B or Y of the first part, the data window cropped to the display window. +infinity becomes 65504, the
+/// largest half, NaN and -infinity 0, with one warning. A picture of more than `most_pixels` is downsampled
+/// by 2 while it is read, by area averages, until it has no more.
 ImageF decode_image_f(std::span<const std::byte> bytes, const std::string& where,
                       const DecodeLimits& limits = {}, std::uint64_t most_pixels = ~std::uint64_t{0});
 

@@ -19,7 +19,7 @@ struct ExposedDifference {
 };
 
 /// Compares the pixels whose alpha is above 0 in either picture. Multiplies both pictures by one factor, a
-/// power of 1.4 or 0.7, so that the mean display value of the reference is 0.25 to 0.5: in a picture that is
+/// power of 1.4 or 0.7, so that the mean display value of the reference is 0.25 to 0.5. In a picture that is
 /// black or white everywhere, differences would not show. RGBA of one size. Returns nothing if no pixel
 /// counts. Throws InputError for different sizes.
 std::optional<ExposedDifference> compare_exposed(ImageF reference, ImageF test, ToneMap tone_map);

@@ -34,9 +34,9 @@ struct HdrFlip {
 };
 
 /// Returns HDR-FLIP of two linear pictures of 3 or 4 channels (alpha does not count). Not symmetric: the
-/// exposures come from the reference alone. Where the authors do not say what to do: if more than half of the
-/// pixels are black, the median ignores black pixels (a head in front of black would need infinite exposure);
-/// the median is at least 2^-30 of the largest value; a reference without light is shown at exposure 0;
+/// exposures come from the reference alone. Cases that the authors leave open: if more than half of the
+/// pixels are black, the median ignores black pixels (a head in front of black would need infinite exposure).
+/// The median is at least 2^-30 of the largest value. A reference without light is shown at exposure 0, and
 /// negative values are shown as black. Throws InputError for different sizes.
 HdrFlip hdr_flip(const ImageF& reference, const ImageF& test);
 

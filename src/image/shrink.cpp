@@ -11,8 +11,8 @@ namespace dermis::image {
 
 namespace {
 
-// An invisible texel keeps this much of its weight: too little to bleed, but enough that the average has the
-// mean colour where nothing is visible (or alpha means nothing, as in an opaque material).
+// An invisible texel keeps this much of its weight, which is too little to bleed. It is enough that the
+// average has the mean colour where nothing is visible, or alpha means nothing, as in an opaque material.
 constexpr float hidden_weight = 1.0f / 1024;
 
 float colour_weight(float alpha) { return hidden_weight + (1 - hidden_weight) * alpha; }

@@ -12,9 +12,9 @@
 
 namespace dermis::image {
 
-/// How a picture is downsampled while it is read: both sides are halved `halvings` times (rounded down, at
-/// least 1), and each pixel is the exact average of its area. `srgb`: averages colours in linear light,
-/// weighted by alpha; else plain data.
+/// Downsampling of a picture while it is read. Both sides are halved `halvings` times (rounded down, at least
+/// 1), and each pixel is the exact average of its area. `srgb`: averages colours in linear light, weighted by
+/// alpha; else plain data.
 struct Shrink {
   int halvings = 0;
   bool srgb = false;

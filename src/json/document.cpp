@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What the parser's message says, without its own numbering.
+/// Returns the parser's message without its own numbering.
 std::string short_reason(const char* what) {
   const std::string_view reason(what);
   const std::size_t end = reason.find("] ");

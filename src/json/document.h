@@ -13,7 +13,7 @@
 
 namespace dermis::json {
 
-/// What a text may hold at most.
+/// Limits of a text.
 struct Limits {
   std::size_t depth = 16;          ///< objects and arrays within each other
   std::size_t values = 1'000'000;  ///< keys and ends of objects and arrays count, too

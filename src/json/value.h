@@ -46,7 +46,7 @@ class Value {
     refuse(fmt::format(format, std::forward<Args>(args)...));
   }
 
-  // What this value is. Each fails with place and expected type, or the range.
+  // The value, by its type. Each fails with place and expected type, or the range.
   const Value& object() const;
   double number(double least = -max_number, double most = max_number) const;
   double any_number() const;  ///< of any size

@@ -9,7 +9,7 @@
 namespace dermis::optics {
 
 /// Returns the unpolarised Fresnel reflectance, 0 to 1, of light that meets the boundary at cos_incident (0
-/// to 1) from the side of relative index n > 0; 1 past the critical angle.
+/// to 1) from the side of relative index n > 0. It is 1 past the critical angle.
 double fresnel(double cos_incident, double n);
 
 /// Returns the diffuse Fresnel reflectance F_dr, a polynomial of n in 1/3..3 (the ratios of indices 1 to 3).

@@ -13,8 +13,7 @@
 namespace dermis::optics {
 
 /// The parameters of [DJ06], two layers. Measured skin has a melanin fraction of 0.001 to 0.1 (median 0.02);
-/// the model takes up to 0.5.
-/// What SpectralSkin has is as there, ranges and defaults too.
+/// the model takes up to 0.5. Members that SpectralSkin has, too, are as there, with ranges and defaults.
 struct Skin {
   double melanin = SpectralSkin().melanin;          ///< volume fraction of melanin in the epidermis
   double blend = SpectralSkin().blend;              ///< eumelanin's share of the melanin; 0: pheomelanin only
@@ -26,7 +25,7 @@ struct Skin {
   double eta = 1.4;                                   ///< index of both layers, 1 to 2; matched between them
 };
 
-/// What the public structure has of a skin, and a skin of which it says this, the rest as in `rest`.
+/// Returns the public structure of a skin. And the skin of a public structure, with the rest as in `rest`.
 SpectralSkin spectral_skin(const Skin& skin);
 Skin skin_of(const SpectralSkin& skin, const Skin& rest = {});
 

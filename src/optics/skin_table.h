@@ -13,7 +13,7 @@
 
 namespace dermis::optics {
 
-/// What differs from texel to texel; all else of a skin is fixed.
+/// Pigments differ from texel to texel; all else of a skin is fixed.
 struct Pigments {
   double melanin = 0.02;      ///< volume fraction in the epidermis, least_melanin to most_melanin
   double haemoglobin = 0.01;  ///< volume fraction of blood in the dermis, least_blood to most_blood

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What stands behind the heads, where no surface covers a pixel.
+// SPDX-License-Identifier: MIT The background, where no surface covers a pixel.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What of the skin a picture shows, before it is shaded: passes/entries fills them, what shades reads them.
+/// Skin that a picture shows, before it is shaded: passes/entries fills the buffers, passes that shade read
+/// them.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace dermis::passes {
 
-/// What is known of the entries of a frame: shared/entries_io.h.
+/// The entries of a frame: shared/entries_io.h.
 struct EntryBuffers {
   frame::TextureId samples;  ///< R32_UINT: of the entries of each pixel, and the part of the first
   frame::TextureId entries;  ///< RG32_UINT, a layer per entry of a pixel: shaded_entry.glsl

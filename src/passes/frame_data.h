@@ -47,7 +47,7 @@ struct PosedShape {
   /// vec3[], likewise: positions before the last frame that moved them, for motion vectors
   std::vector<gpu::Buffer> before_m;
   std::vector<gpu::Buffer> skin_vertices;  ///< SkinVertexIo[], one per skin mesh: with the moved metric
-  /// What its skin sees of the sky, one per skin mesh; empty until there is an environment. RGBA16F.
+  /// The sky that its skin sees, one per skin mesh; empty until there is an environment. RGBA16F.
   struct Sky {
     gpu::Texture light;        ///< as SkyMaps
     gpu::Texture bent_normal;  ///< as GpuMesh::bent_normal

@@ -63,7 +63,7 @@ struct GpuLook {
   const GpuMaterial& material(int number) const { return materials[static_cast<std::size_t>(number)]; }
 };
 
-/// What an instance changes of its materials.
+/// Changes of an instance to its materials.
 struct LookSettings {
   std::optional<float> mix;  ///< 0..1, instead of the materials'
   glm::vec3 tint{1};         ///< multiplies the base colour of skin, linear
@@ -114,7 +114,7 @@ struct GpuMesh {
   /// For passes/curvature; made by GpuScene::make_welded.
   struct Welded {
     gpu::Buffer point_of;  ///< uint[], per vertex: one of those at its place
-    int smoothing = 0;     ///< how often neighbours are averaged
+    int smoothing = 0;     ///< rounds of averaging neighbours
   };
   Welded welded;
 

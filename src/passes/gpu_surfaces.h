@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Everything that is not skin, on the device: vertices, triangles and placements of all parts in a few large
-// buffers, and one draw per mesh and material, however many nodes show it. So the cost of a frame depends on
-// its triangles and materials, not on nodes.
+// SPDX-License-Identifier: MIT Surfaces other than skin, on the device: vertices, triangles and placements of
+// all parts in a few large buffers. There is one draw per mesh and material, however many nodes show it. So
+// the cost of a frame depends on its triangles and materials, not on nodes.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,8 @@
 namespace dermis::passes {
 
 struct GutterList {
-  /// scene::build_gutters, followed by each remaining empty texel within two texels of a chart (the corners
-  /// where several seams meet): it takes the nearest texel's light, with chart 0, so that no bilinear read at
+  /// scene::build_gutters, followed by each remaining empty texel within two texels of a chart: the corners
+  /// where several seams meet. It takes the nearest texel's light, with chart 0, so that no bilinear read at
   /// a border finds black.
   std::vector<scene::GutterTexel> texels;
   /// For each texel, the nearest texel of the chart that it extends, whose metric it continues. The texel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Discrete Gaussians with exact variance, tabulated for the convolution. Seven taps one sigma apart, as
-/// printed in [DLE07], have variance 1.079 sigma^2 and miss a lit edge by up to 18 % at a width of one texel
-/// or less; here taps lie on whole texels.
+/// printed in [DLE07], have variance 1.079 sigma^2. They miss a lit edge by up to 18 % at a width of one
+/// texel or less. Here taps lie on whole texels.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which Gaussians of its profile a skin mesh of a head reads from light maps in a frame. A head far away
+/// Gaussians of its profile that a skin mesh of a head reads from light maps in a frame. A head far away
 /// reads few or none: the others are lit at the pixel.
 #pragma once
 

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What screen_surface_io.h stores per pixel, packed and read back.
+// SPDX-License-Identifier: MIT Packs and reads what screen_surface_io.h stores per pixel.
 #include "passes/screen_surface_io.h"
 
 // Normals on an octahedron, unfolded. Based on: Cigolle, Donow, Evangelakos et al.: A Survey of Efficient

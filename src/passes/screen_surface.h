@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// What techniques in screen space blur, and what they know of the surface: one value per pixel, of the entry
-/// of a pixel that most of its samples show (passes/entries). Light of other surfaces in a pixel, beside a
-/// silhouette, is not blurred; they take the blurred light of their pixel, if that is of the same head.
+/// Light that techniques in screen space blur, and its surface: one value per pixel, of the entry that most
+/// of its samples show (passes/entries). Light of other surfaces in a pixel, beside a silhouette, is not
+/// blurred; they take the blurred light of their pixel, if that is of the same head.
 #pragma once
 
 #include "gpu/resources.h"

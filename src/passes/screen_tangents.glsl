@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// How the tangent plane of a pixel's skin lies in the picture. Needs `frame` and ScreenIo `io`.
+// SPDX-License-Identifier: MIT The tangent plane of a pixel's skin, in the picture. Needs `frame` and
+// ScreenIo `io`.
 
 // Moves by one pixel on the tangent plane, mm of the asset.
 struct Tangents {
@@ -10,8 +10,8 @@ struct Tangents {
 const float least_cosine = 0.05;  // an interpolated normal may face away at a silhouette
 
 // The pixel `at` sees the plane of normal n at depth_mm. With rows x, y and w of the camera's matrix, the
-// point is where (x - clip.x w, y - clip.y w) vanish; a move g on the plane has dot(n, g) = 0 and, for a
-// pixel to the right, changes the first by clip w times two over the width, and the second by nothing.
+// point is where (x - clip.x w, y - clip.y w) vanish. A move g on the plane has dot(n, g) = 0. For a pixel to
+// the right it changes the first by clip w times two over the width, and the second by nothing.
 Tangents tangents_at(ivec2 at, vec3 n, float depth_mm, float mm_per_unit) {
   const mat4 rows = transpose(frame.camera.clip_from_world);
   const vec2 clip = (2.0 * (vec2(at) + 0.5 - io.picture_low) / io.picture_size - 1.0) * vec2(1.0, -1.0);

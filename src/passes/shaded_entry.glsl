@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What an entry of a pixel holds: before it is shaded its id and its rank among those of its part; afterwards
-// its radiance as three half floats.
+// SPDX-License-Identifier: MIT Content of an entry of a pixel: before it is shaded its id and its rank among
+// those of its part; afterwards its radiance as three half floats.
 #include "shared/entries_io.h"
 
 // The samples of a pixel's entries, from the word that has the part of the first above them.

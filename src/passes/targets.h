@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What passes draw into.
+// SPDX-License-Identifier: MIT Targets of passes.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@ inline constexpr VkFormat light_format = VK_FORMAT_R16G16B16A16_SFLOAT;  ///< li
 inline constexpr VkFormat depth_format = VK_FORMAT_D32_SFLOAT;           ///< reversed: 0 is far
 inline constexpr std::array no_light{0.0f, 0.0f, 0.0f, 0.0f};
 
-/// What a picture is drawn into: dermis's own targets, or a host's.
+/// Targets of a picture: dermis's own, or a host's.
 struct PictureFormat {
   VkFormat colour = light_format, depth = depth_format;
   bool reversed_depth = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How transmitted light joins the light that spreads over the surface.
+/// Transmitted light, as it joins the light that spreads over the surface.
 ///
 /// A slab of thickness d, lit on its far side with B(y), shows sum_i w_i exp(-d^2 / 2 v_i) (G(v_i) * B):
 ///   every term of the profile has
@@ -25,8 +25,8 @@ namespace dermis::passes {
 
 /// Returns the first term of each group: 0, then those that begin the second and the third. k terms (1..8)
 /// make min(k, 3) groups; the narrow ones take more terms, because wide Gaussians carry nearly all of the
-/// light and are blurred most. first_mapped: where terms before it are lit at the pixel, they are the first
-/// group, and those that maps hold are one group, or two if they are more than two.
+/// light and are blurred most. first_mapped: terms before it, which are lit at the pixel, are the first
+/// group. Those that maps hold are one group, or two if they are more than two.
 std::vector<std::size_t> transmission_groups(std::size_t terms, std::size_t first_mapped = 0);
 /// Returns those of the terms that maps hold, counted from the first of these.
 std::vector<std::size_t> mapped_groups(std::size_t terms, std::size_t first_mapped);
@@ -34,9 +34,9 @@ std::vector<std::size_t> mapped_groups(std::size_t terms, std::size_t first_mapp
 /// Returns the thickness of the last gain: the widest Gaussian holds less than a thousandth of its light
 /// there.
 double gains_end_mm(const gaussians::SumOfGaussians& profile);
-/// Returns, for each thickness, what a slab of the profile's medium lets through (profile::slab_backs()) over
-/// what the Gaussians say, at most 12, and over the light that its front returns, by which shading
-/// multiplies all light. 1 of a profile without ShapeLaws.
+/// Returns, for each thickness, the light through a slab of the profile's medium (profile::slab_backs()) over
+/// that of the Gaussians, at most 12. It is also divided by the light that the slab's front returns, because
+/// shading multiplies all light by that. 1 of a profile without ShapeLaws.
 std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
                                        std::span<const double> thicknesses_mm);
 

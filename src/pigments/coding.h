@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// How a map of 8 bits holds volume fractions: evenly in their logarithms, because equal ratios look about
-// equal.
+// SPDX-License-Identifier: MIT Volume fractions in a map of 8 bits: evenly in their logarithms, because equal
+// ratios look about equal.
 #pragma once
 
 #include <algorithm>

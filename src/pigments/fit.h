@@ -26,7 +26,7 @@ inline Colour colour_at(const std::uint8_t* rgba) {
 }
 optics::Rgb linear_of(Colour colour);
 
-/// What the colours of a map are made of.
+/// Pigments of the colours of a map.
 class Fit {
  public:
   struct Entry {
@@ -37,7 +37,7 @@ class Fit {
   };
 
   /// Finds the pigments of every colour of the map, for the skin that `table` holds. A photograph does not
-  /// know how bright the light was: colours are divided by one exposure, that of -3 to 3 EV, in thirds, at
+  /// know how bright the light was. So colours are divided by one exposure, that of -3 to 3 EV, in thirds, at
   /// which the mean error over the skin is least. Deterministic. Some 10 us per colour and core.
   Fit(const scene::Scene& scene, const SkinMap& map, const optics::SkinTable& table);
 

@@ -51,7 +51,7 @@ Maps maps_of(const scene::Scene& scene) {
   maps.texels = fit.texels();
   maps.exposure = fit.exposure();
 
-  // What 8 bits hold of the pigments, and how far that takes the colour away.
+  // Pigments in 8 bits, and the distance of their colour.
   std::vector<std::array<std::uint8_t, 2>> codes;
   std::vector<std::pair<double, std::size_t>> model, colour;
   double log_melanin = 0, log_blood = 0;

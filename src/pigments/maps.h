@@ -45,8 +45,8 @@ struct Wanted {
   }
 };
 
-/// Gives skin other pigments: each texel of its colour maps is multiplied by the model's albedo of the wanted
-/// pigments over that of its own, so that all that is not pigment stays (exposure, make-up, hair). Throws
+/// Gives skin other pigments. Each texel of its colour maps is multiplied by the model's albedo of the wanted
+/// pigments over that of its own. So all that is not pigment stays (exposure, make-up, hair). Throws
 /// InputError: skin without a colour map; with maps, skin with several; a map that cannot be read or is no
 /// picture.
 void repaint(scene::Scene& scene, const Wanted& wanted);

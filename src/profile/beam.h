@@ -6,7 +6,7 @@
 //         Scattering. EGSR 2013
 // [PBRT4] Pharr, Jakob, Humphreys: pbrt-v4, bssrdf.cpp (the form of the sums)
 //
-// Departs from [PBRT4]: 200 depths instead of 100, whose total is 1e-4 off; light scattered once is
+// Departs from [PBRT4]: 200 depths instead of 100, whose total is 1e-4 off. Light scattered once is
 // integrated over the logarithm of the depth, which keeps its accuracy near the beam.
 #pragma once
 

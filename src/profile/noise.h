@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// How far a profile made by sampling can be trusted.
+// SPDX-License-Identifier: MIT Noise of a profile that was made by sampling.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What a point source in a diffusing medium sends through a plane. Lengths in mm, s = sigma_tr in 1/mm.
+// SPDX-License-Identifier: MIT Light that a point source in a diffusing medium sends through a plane. Lengths
+// in mm, s = sigma_tr in 1/mm.
 #pragma once
 
 #include <cmath>

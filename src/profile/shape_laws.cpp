@@ -9,7 +9,7 @@
 namespace dermis::profile {
 namespace {
 
-// What the walks cover.
+// Range of the walks.
 constexpr double least_albedo = 0.2, most_albedo = 0.9985, least_eta = 1.3, most_eta = 1.5;
 
 /// A medium in the numbers that the laws are written in.
@@ -42,8 +42,8 @@ double attenuation(double albedo) {
   return 0.5 * (low + high);
 }
 
-/// What a half-space returns of diffuse light that entered. A beam along the normal returns less by the
-/// radiance that leaves along it: reciprocity, [C60] ch. 4.
+/// Returns the share of diffuse light that entered which a half-space returns. A beam along the normal
+/// returns less by the radiance that leaves along it: reciprocity, [C60] ch. 4.
 double half_space_total(const Reduced& m) {
   const optics::Layers layers{
       {.sigma_a_per_mm = 1 - m.albedo, .sigma_s_reduced_per_mm = m.albedo, .eta = 1.4 + m.e}};

@@ -1,8 +1,7 @@
-// SPDX-License-Identifier: MIT
-// How much light leaves curved and thin bodies of a medium, relative to a flat half-space. Laws with few
-// constants, fitted to the walks of bench/shapes; docs/theory.md ("Shapes") derives them and lists their
-// errors. Based on: [K48] Kubelka: New Contributions to the Optics of Intensely Light-Scattering Materials.
-// J. Opt. Soc. Am. 38,
+// SPDX-License-Identifier: MIT Light that leaves curved and thin bodies of a medium, relative to a flat
+// half-space. Laws with few constants, fitted to the walks of bench/shapes; docs/theory.md ("Shapes") derives
+// them and lists their errors. Based on: [K48] Kubelka: New Contributions to the Optics of Intensely
+// Light-Scattering Materials. J. Opt. Soc. Am. 38,
 //       1948 (two fluxes)
 // [C60] Chandrasekhar: Radiative Transfer. Dover 1960 (reciprocity; the attenuation deep in a medium)
 #pragma once

@@ -147,8 +147,8 @@ LayeredProfile::LayeredProfile(const optics::Layers& layers, Side side, const st
                  eta_below = i + 1 == layers.size() ? 1 : layers[i + 1].eta;
     slabs_.emplace_back(layers[i], eta_above, eta_below);
   }
-  // Light from below a thin top layer still passes through it: the finest detail is that of the finest layer,
-  // and the reach is that of the layer that reaches farthest.
+  // Light from below a thin top layer still passes through it. So the finest detail is that of the finest
+  // layer, and the reach is that of the layer that reaches farthest.
 
   inner_mm_ = slabs_[0].inner_mm();
   outer_mm_ = slabs_[0].outer_mm();

@@ -40,7 +40,7 @@ TwoFlux multipole_sums(double kappa, double l, double d, double z_b0, double z_b
 ///
 /// Departs from [DJ05]: diffusion fails for layers of about one mean free path and less, so below
 /// thin_limit() mean free paths R and T come from profile/thin_slab.h. There the effect of a layer goes to 0
-/// with its thickness, energy is kept, and two half-slabs added reproduce the full slab within 0.04 (indices
+/// with its thickness, and energy is kept. Two half-slabs added reproduce the full slab within 0.04 (indices
 /// up to 1.6; measured in docs/theory.md).
 class Multipole {
  public:

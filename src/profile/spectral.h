@@ -53,13 +53,13 @@ class WeightedProfile final : public RadialProfile {
 /// Makes the three profiles. A reflectance spectrum becomes a colour by a weighted sum over wavelengths
 /// (optics::rec709_weights), and the same weights hold at each distance: R_c(r) = Sum_i w_c(nm_i) R(nm_i, r).
 /// So the integral of each channel's profile *is* that channel of the colour, and no single wavelength stands
-/// for "red". R(nm, r) is computed every 10 nm from 400 to 700 nm and interpolated between; each channel is
+/// for "red". R(nm, r) is computed every 10 nm from 400 to 700 nm and interpolated between. Each channel is
 /// then scaled (by a few per cent at most) to the exact total of 81 wavelengths.
 ///
 /// Models: multipole, monte-carlo, automatic. Automatic takes Monte-Carlo if at some wavelength a layer has a
-/// reduced albedo below diffusion_albedo or the epidermis is thinner than diffusion_thickness, which holds
-/// for all skin but the palest and thickest. Monte-Carlo shares photons among wavelengths: options.photons /
-/// 16 each.
+/// reduced albedo below diffusion_albedo or the epidermis is thinner than diffusion_thickness. That holds for
+/// all skin but the palest and thickest. Monte-Carlo shares photons among wavelengths: options.photons / 16
+/// each.
 ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options,
                                const std::string& where);
 

@@ -41,7 +41,7 @@ class ThinSlab {
  private:
   struct Frequency {
     TwoFlux reference;  // the core before it is cut
-    double beyond;      // how far k is past the largest k with a known reference
+    double beyond;      // distance of k past the largest k with a known reference
   };
   Spectra cut(const Frequency& at, double thickness) const;
   Spectra between_mirrors(const TwoFlux& core, double unturned) const;

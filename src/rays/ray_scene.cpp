@@ -19,7 +19,7 @@
 namespace dermis::rays {
 namespace {
 
-// What an Embree geometry number stands for: one copy of a primitive.
+// One copy of a primitive, by its Embree geometry number.
 struct Copy {
   std::uint32_t primitive = 0, copy = 0;
 };

@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double reach_in_sigma = 5;
-/// Probes of each kind per sample, spread evenly over terms and radii: most of the noise comes from which
+/// Probes of each kind per sample, spread evenly over terms and radii. Most of the noise comes from which
 /// term was sampled, and the camera ray and reflections serve all probes.
 constexpr int strata = 4;
 // The normal finds nearly everything and is always probed. One of the two tangents, which find steep parts,
@@ -75,7 +75,7 @@ double Diffusion::density(const glm::dvec3& offset_mm, const std::array<glm::dve
 }
 
 // Returns a ray: its radius is that of a Gaussian in the plane perpendicular to the axis, cut off at the
-// reach; the ray is a chord of the ball of this reach.
+// reach. The ray is a chord of the ball of this reach.
 rays::Ray Diffusion::probe(const rays::SurfacePoint& o, const std::array<glm::dvec3, 3>& axes,
                            std::size_t axis, double pick, double angle) const {
   std::size_t index = 0;

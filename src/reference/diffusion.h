@@ -16,7 +16,7 @@
 namespace dermis::reference {
 
 /// A sum of Gaussians, prepared for sampling. |x - o| is the straight distance between both points, through
-/// the body or across a fold: so the far side of an ear counts, and on a sphere of radius a the weights sum
+/// the body or across a fold. So the far side of an ear counts, and on a sphere of radius a the weights sum
 /// to 1 - sum_i w_i exp(-2 a^2 / v_i). A term without width is light that leaves where it entered.
 class Diffusion {
  public:

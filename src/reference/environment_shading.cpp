@@ -66,7 +66,7 @@ glm::dvec3 Shading::entering_from_environment(const rays::SurfacePoint& s, const
   }
   const ShadingMaterial& m = materials_[s.material];
   const double open = std::max(occlusion(m, s), 0.002);
-  // What a painted occlusion map hides counts as skin in the same light: the series of its bounces.
+  // Occluders of a painted map count as skin in the same light: the series of its bounces.
   return e / (1 - table_.mean(spec)) * (open / (1.0 - glm::min(albedo(m, s), glm::dvec3(1)) * (1 - open)));
 }
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What the reference renders: a scene, with the camera and lights of the real-time techniques.
+// SPDX-License-Identifier: MIT Input of the reference: a scene, with the camera and lights of the real-time
+// techniques.
 #pragma once
 
 #include <glm/glm.hpp>

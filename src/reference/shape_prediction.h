@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: MIT
-// What real-time techniques make of the light on simple bodies: the profile of a half-space, blurred over the
-// surface, and the laws of shape on top. In closed form, for errors against reference/shapes.h.
+// SPDX-License-Identifier: MIT Light on simple bodies as real-time techniques compute it: the profile of a
+// half-space, blurred over the surface, and the laws of shape on top. In closed form, for errors against
+// reference/shapes.h.
 #pragma once
 
 #include "gaussians/sum.h"

@@ -44,7 +44,7 @@ double reach_of(const optics::RgbMedium& medium) {
   return reach;
 }
 
-/// What all walks of a call share.
+/// Shared by all walks of a call.
 struct Followed {
   const rays::RayScene& rays;
   const WalkMedium& medium;

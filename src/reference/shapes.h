@@ -40,7 +40,7 @@ struct Body {
 /// Where the shape has no end, the mesh ends `reach_mm` away.
 scene::Scene mesh_of(const Body& body, double reach_mm);
 
-/// How to follow light.
+/// Options of the walks.
 struct ShapeWalks {
   std::uint64_t walks = 100'000;  ///< >= 64
   std::uint64_t seed = 1;
@@ -52,8 +52,9 @@ struct ShapeWalks {
 
 inline constexpr std::size_t exit_bins = 5;  ///< of the cosine of the angle of exit, evenly from 0 to 1
 
-/// Light that leaves the point, for a parallel light that gives a surface that faces it an irradiance of 1:
-/// parts of what a half-space returns of that irradiance, so that a plane lit at an angle shows its cosine.
+/// Light that leaves the point, for a parallel light that gives a surface that faces it an irradiance of 1.
+/// In parts of what a half-space returns of that irradiance, so that a plane lit at an angle shows its
+/// cosine.
 struct ShapeLight {
   double light_deg = 0;
   optics::Rgb exitance{}, exitance_error{};                         ///< and one standard error

@@ -41,7 +41,7 @@ struct WalkEnd {
 glm::dvec3 refracted(const glm::dvec3& d, const glm::dvec3& n, double n_ratio);
 
 /// Walks from a point under the skin, in a direction inside it. Free paths are sampled for one channel and
-/// weighted for all three by the balance heuristic; at a face the walk is reflected with Fresnel's
+/// weighted for all three by the balance heuristic. At a face the walk is reflected with Fresnel's
 /// probability; roulette ends it below a weight of 0.05. A walk is lost if it meets the front of a face or
 /// leaves the box around the skin, which a closed mesh does not allow.
 WalkEnd walk(const rays::RayScene& rays, const WalkMedium& medium, const glm::dvec3& start_m,

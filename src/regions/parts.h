@@ -11,14 +11,14 @@
 
 namespace dermis::regions {
 
-/// Returns, for each vertex of each mesh, how far it lies inside the nose (x) and inside an ear (y), in half
-/// breadths of the head, negative outside; -1 for both where the skin is no head that looks along +Z in its
+/// Returns, for each vertex of each mesh, its distance inside the nose (x) and inside an ear (y), in half
+/// breadths of the head, negative outside. Both are -1 where the skin is no head that looks along +Z in its
 /// own coordinates. `skin`: skin_meshes() of the scene.
 ///
 /// The same nose and ears as those of regions::find(), but the thickness is taken in the middle of each
-/// triangle rather than at pixels: the border of an ear is as exact as the triangles there are small, and
-/// also holds thin skin that no picture shows. Takes 24 rays per triangle beside the head. Throws DeviceError
-/// and Cancelled as rays::RayScene does.
+/// triangle rather than at pixels. So the border of an ear is as exact as the triangles there are small, and
+/// the ear has thin skin that no picture shows. Takes 24 rays per triangle beside the head. Throws
+/// DeviceError and Cancelled as rays::RayScene does.
 std::vector<std::vector<glm::vec2>> parts_of_skin(const scene::Scene& scene,
                                                   std::span<const scene::SkinMesh> skin);
 

@@ -28,7 +28,7 @@ constexpr double continuous_pixels = 4;
 
 using Mask = std::vector<std::uint8_t>;
 
-/// What a pixel shows.
+/// The surface of a pixel.
 struct Seen {
   bool skin = false;
   rays::SurfacePoint point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How the nodes of an asset stand at a time: key frames, clips, poses. Plain numbers; what a mesh makes of a
+/// Places of the nodes of an asset at a time: key frames, clips, poses. Plain numbers; what a mesh makes of a
 /// pose is in its loader. Source: glTF 2.0 specification, section 3.11 and appendix C.
 #pragma once
 

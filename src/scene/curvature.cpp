@@ -122,7 +122,7 @@ class Collector {
   }
 
   /// Adds the neighbours of one Gaussian to chosen_. The change of normals that fits all neighbours best is
-  /// the mean of those of both Gaussians, weighted by the squares of the distances that each spans: dividing
+  /// the mean of those of both Gaussians, weighted by the squares of the distances that each spans. Dividing
   /// by the squared scale makes it their plain mean.
   void choose(std::uint32_t place, double scale_given_mm) {
     constexpr std::size_t most = most_curvature_neighbours / 2;
@@ -145,7 +145,7 @@ class Collector {
     }
 
     // Of many, `most` in proportion to what they add to the fit: its sums are over squared distances, so far
-    // neighbours decide. What is chosen more often weighs less.
+    // neighbours decide. A neighbour that is chosen more often weighs less.
     const auto more_often = [&](std::size_t i) { return 1 + distance(i) * distance(i); };
     double all = 0, reached = 0, weight = 0;
     for (std::size_t i = 0; i < found_.size(); ++i) all += weights_[i] * more_often(i);

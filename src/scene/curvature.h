@@ -20,7 +20,7 @@ struct Curvature {
   float difference_per_mm = 0;  ///< (k1 - k2) / 2, >= 0
 };
 
-/// What is known of the body around a vertex of skin, in mm of the asset.
+/// Shape of the body around a vertex of skin, in mm of the asset.
 struct VertexShape {
   Curvature curvature;
   float thickness_mm = 0;  ///< of a slab its thickness; environment/body_shape.h finds it
@@ -33,8 +33,8 @@ struct CurvatureNeighbour {
   float weight = 0;  ///< its area, times a Gaussian of its distance; those of a vertex sum to 1
 };
 
-/// Which neighbours count for each vertex: those of vertex v are [first[v], first[v + 1]) of `neighbours`.
-/// It holds for the mesh in every pose: a neighbourhood moves with its skin.
+/// Neighbours that count for each vertex: those of vertex v are [first[v], first[v + 1]) of `neighbours`. It
+/// holds for the mesh in every pose: a neighbourhood moves with its skin.
 struct CurvatureStencil {
   std::vector<std::uint32_t> first;  ///< as many as vertices, and one
   std::vector<CurvatureNeighbour> neighbours;
@@ -48,11 +48,11 @@ struct CurvatureScales {
   double narrow_mm = 0, wide_mm = 0;
 };
 
-/// Finds the neighbours of each vertex: those that edges reach within 2.5 wide scales (so that lips that
-/// touch do not count for each other), at least those at the other end of its edges; of many, a selection in
-/// proportion to their weights. Vertices at one place (at seams) have the same. indices.size() is a multiple
-/// of 3, all < vertices.size(). O(n); the result does not depend on the number of threads. Throws Cancelled
-/// if a hook ends it.
+/// Finds the neighbours of each vertex: those that edges reach within 2.5 wide scales, so that lips that
+/// touch do not count for each other. They are at least those at the other end of its edges; of many, a
+/// selection in proportion to their weights. Vertices at one place (at seams) have the same. indices.size()
+/// is a multiple of 3, all < vertices.size(). O(n); the result does not depend on the number of threads.
+/// Throws Cancelled if a hook ends it.
 CurvatureStencil curvature_stencil(std::span<const Vertex> vertices, std::span<const std::uint32_t> indices,
                                    double mm_per_unit, const CurvatureScales& scales);
 

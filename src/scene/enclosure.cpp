@@ -22,7 +22,7 @@ struct Slabs {
 };
 
 // Returns the axes of a cube through its faces, edges and corners, and those from its middle by one step
-// along an edge and two along another: no direction is farther than 23 degrees from one of them.
+// along an edge and two along another. No direction is farther than 23 degrees from one of them.
 std::array<glm::dvec3, axes> directions() {
   std::array<glm::dvec3, axes> found;
   std::size_t count = 0;

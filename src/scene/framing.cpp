@@ -150,7 +150,7 @@ Camera group_camera(std::span<const BoundingSphere> spheres, double aspect, doub
   const glm::dvec3 centre = 0.5 * (low + high);
   middle.centre_m = glm::vec3(axes * centre);
 
-  // The eye stands so far back that each ball touches the planes of the filled part at most: from a plane of
+  // The eye stands so far back that each ball touches the planes of the filled part at most. From a plane of
   // half angle a through the eye, a ball at (x, z) is (distance - z) sin a - |x| cos a away.
   const double half_height = fill * std::tan(0.5 * fov_y_deg * radians_per_degree);
   const double half_angles[] = {std::atan(half_height * aspect), std::atan(half_height)};

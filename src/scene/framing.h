@@ -16,8 +16,8 @@ namespace dermis::scene {
 
 /// Returns a sphere around the centre of the points' bounding box, up to the farthest point, radius enlarged
 /// by 1e-6 against rounding. It is not the smallest sphere (0.258 m on the scan against 0.293 m) but the
-/// convention of renderers and engines, and distances of the paper's test are counted in its radii. No
-/// points: a sphere of radius 0 at the origin.
+/// convention of renderers and engines. Distances of the paper's test are counted in its radii. No points: a
+/// sphere of radius 0 at the origin.
 BoundingSphere bounding_sphere(std::span<const glm::vec3> points_m);
 
 /// Returns the bounding_sphere of all vertices of the primitives that `counts`, in all their placements.
@@ -53,7 +53,7 @@ Camera group_camera(std::span<const BoundingSphere> spheres, double aspect, doub
 Camera distance_camera(const BoundingSphere& middle_head, double distance_radii, double azimuth_deg = 0,
                        double elevation_deg = 0, double fov_y_deg = 20);
 
-/// Returns a camera at `eye_m` with `target_m` in the middle of the picture and +Y up; where it looks along
+/// Returns a camera at `eye_m` with `target_m` in the middle of the picture and +Y up. Where it looks along
 /// Y, the upper border is towards -Z (from above) or +Z (from below). Throws InputError if the points are
 /// nearer than 0.1 mm, or the field of view is out of range.
 Camera look_at_camera(const glm::dvec3& eye_m, const glm::dvec3& target_m, double fov_y_deg = 20);

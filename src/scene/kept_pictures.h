@@ -17,7 +17,7 @@ namespace dermis::scene {
 
 /// Tells encoded pictures apart by their bytes.
 struct PictureKey {
-  std::uint64_t bytes = 0, first = 0, second = 0;  ///< how many, and two hashes of them
+  std::uint64_t bytes = 0, first = 0, second = 0;  ///< their number, and two hashes of them
   auto operator<=>(const PictureKey&) const = default;
 };
 PictureKey key_of(std::span<const std::byte> encoded);

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What a scene may hold, whether a file or a host gives it.
+// SPDX-License-Identifier: MIT Limits of a scene, whether a file or a host gives it.
 #pragma once
 
 #include <cstddef>

@@ -36,7 +36,7 @@ struct Frame {
 };
 Frame frame_of(const glm::dmat4& matrix);
 
-/// What errors name: the file, and the mesh in it.
+/// Place that errors name: the file, and the mesh in it.
 struct MeshPlace {
   std::string_view file, mesh;
 };

@@ -23,7 +23,7 @@ struct MaterialSource {
 /// Returns the material of a primitive that names none: glTF's default.
 MaterialSource default_material();
 
-/// What a source has and nothing shows.
+/// Materials of a source that nothing shows.
 struct UnusedMaterials {
   std::size_t count = 0;
   std::optional<std::string> skin{};  ///< name of the first that says, or is called, that it is skin
@@ -31,10 +31,10 @@ struct UnusedMaterials {
 };
 
 /// Decides which of the materials in use are skin: those that match one of `patterns` (SceneOptions), else
-/// those that say so, else those whose name has "skin" as a word, else the only one, unless an unused one
-/// says or is called so; gives skin its default index of refraction. Warns if there is none, and if the only
-/// one in use is not the only one. Blended skin is drawn as a surface, with a warning that names it. `file`
-/// is for messages. Throws InputError if a pattern matches nothing.
+/// those that say so, else those whose name has "skin" as a word. Else it is the only one, unless an unused
+/// one says or is called so. Gives skin its default index of refraction. Warns if there is none, and if the
+/// only one in use is not the only one. Blended skin is drawn as a surface, with a warning that names it.
+/// `file` is for messages. Throws InputError if a pattern matches nothing.
 void choose_skin(const std::string& file, const std::vector<std::string>& patterns,
                  const UnusedMaterials& unused, std::vector<MaterialSource>& materials);
 

@@ -72,7 +72,7 @@ std::vector<std::uint32_t> weld_for_metric(const SkinMesh& mesh) {
 }
 
 /// Raises the smaller eigenvalue to large / 300^2 by adding to the diagonal, and rescales where a float could
-/// not hold the determinant: maps less than 1e-7 mm or more than 1,000 km wide.
+/// not hold the determinant. These are maps less than 1e-7 mm or more than 1,000 km wide.
 glm::vec3 well_conditioned(const glm::dvec3& g) {
   constexpr double least = 1e-14, most = 1e18;  // mm^2
   const Eigenvalues e = eigenvalues(g);

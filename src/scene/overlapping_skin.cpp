@@ -20,7 +20,7 @@ constexpr double shared_at_borders = 0.02;  // of the cells of a material: chart
 
 using Tile = std::pair<int, int>;
 
-// What a node's skin covers of the texture coordinates: per cell the material that came first.
+// Texture coordinates that a node's skin covers: per cell the material that came first.
 class Cells {
  public:
   void add(const Primitive& primitive) {

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Finds skin that cannot share a light map: materials of one node whose charts lie at the same place, as
-// characters have them whose head and body each fill a map of their own.
+// SPDX-License-Identifier: MIT Finds skin that cannot share a light map: materials of one node whose charts
+// lie at the same place. Characters have them whose head and body each fill a map of their own.
 #pragma once
 
 #include <string>

@@ -239,8 +239,8 @@ Bounds posed_bounds(const Rig& rig, const PosedRig& pose, bool all) {
 void fill_bounds(Rig& rig, const std::vector<bool>& skin) {
   DERMIS_ASSERT_EQ(skin.size(), rig.meshes.size());
 
-  // What hangs on a matrix, first as a whole, then in cells, so that what a morph target moves does not
-  // enlarge all of it.
+  // Bounds of the vertices of a matrix, first as a whole, then in cells, so that a morph target does not
+  // enlarge all of them.
   std::map<std::pair<std::uint32_t, bool>, Collected> whole;
   for_each_influence(rig, [&](std::size_t m, std::size_t v, std::uint32_t matrix) {
     whole[{matrix, skin[m]}].add(rig.meshes[m].positions[v]);

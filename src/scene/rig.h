@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What an asset keeps to be posed again without its file: nodes, skins, morph targets, clips, and its
-/// vertices before any of them moved them. Source: glTF 2.0 specification, sections 3.5, 3.7.2.2, 3.7.3.3.
+/// Parts that an asset keeps to be posed again without its file: nodes, skins, morph targets, clips, and its
+/// vertices before any of these moved them. Source: glTF 2.0 specification, sections 3.5, 3.7.2.2, 3.7.3.3.
 #pragma once
 
 #include <cstddef>
@@ -35,19 +35,19 @@ struct Influence {
   float weight = 1;          ///< those of a vertex sum to 1
 };
 
-/// What a morph target moves a vertex by, at weight 1.
+/// Shift of a vertex by a morph target, at weight 1.
 struct MorphDelta {
   std::uint32_t weight = 0;  ///< number in PosedRig::weights
   glm::vec3 position{0}, normal{0}, tangent{0};
 };
 
-/// By how much a morph target moves what hangs on a matrix, at weight 1, in the mesh's coordinates.
+/// Shift of the vertices of a matrix by a morph target, at weight 1, in the mesh's coordinates.
 struct MorphReach {
   std::uint32_t weight = 0;
   glm::vec3 low{0}, high{0};  ///< of all vertices, also of those that it leaves where they are
 };
 
-/// What hangs on a matrix, in the mesh's coordinates.
+/// Bounds of the vertices of a matrix, in the mesh's coordinates.
 struct RigBounds {
   std::uint32_t matrix = 0;
   bool skin = false;  ///< of skin; else of all else

@@ -1,8 +1,7 @@
-// SPDX-License-Identifier: MIT
-// What is rendered: heads and their other parts, maps, lights, cameras. All in the world at rest: nodes as
-// they stand, skins and morph targets applied, mirrored nodes wound counter-clockwise. Only meshes that
-// several nodes share stay in their own coordinates, with a list of placements. Metres, right-handed, +Y up.
-// No Vulkan here.
+// SPDX-License-Identifier: MIT Content of an asset: heads and their other parts, maps, lights, cameras. All
+// in the world at rest: nodes as they stand, skins and morph targets applied, mirrored nodes wound
+// counter-clockwise. Only meshes that several nodes share stay in their own coordinates, with a list of
+// placements. Metres, right-handed, +Y up. No Vulkan here.
 #pragma once
 
 #include <array>
@@ -181,7 +180,7 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::vector<std::string> clips;  ///< names of its animations
-  /// What poses it again; null: nothing can move. Shared, as pixels are.
+  /// The rig that poses it again; null: nothing can move. Shared, as pixels are.
   std::shared_ptr<const Rig> rig;
   std::string why_no_rig;  ///< empty: there is one, or nothing can move
   /// world metres to mm; unit_scale multiplies positions at load, so this stays 1000

@@ -11,7 +11,7 @@
 namespace dermis::scene {
 
 /// Replaces normals that are zero or not finite by smooth ones: the sum over the triangles at the vertex's
-/// position (welded, so that split vertices agree), weighted by area; degenerate triangles count nothing. A
+/// position (welded, so that split vertices agree), weighted by area. Degenerate triangles count nothing. A
 /// vertex without any area around it gets (0, 0, 1). Normalises all other normals. Afterwards every normal is
 /// finite and of unit length.
 void make_missing_normals(Primitive& primitive);
@@ -22,8 +22,8 @@ void make_missing_normals(Primitive& primitive);
 /// [Mik08] per corner: dP/du of the triangle, projected on the plane of the vertex normal, normalised,
 /// weighted by the corner's angle, summed over the triangles that share position, normal, coordinates and
 /// orientation of the coordinates. w is such that w * cross(normal, tangent) points to the top of the picture
-/// (-v), because glTF's normal maps have +Y up and v down: +1 where the picture appears as painted, -1 where
-/// it is mirrored. Vertices between both are split: the mirrored half moves to copies at the end of
+/// (-v), because glTF's normal maps have +Y up and v down. It is +1 where the picture appears as painted, -1
+/// where it is mirrored. Vertices between both are split: the mirrored half moves to copies at the end of
 /// `vertices`, and indices and `source_vertices` follow. Where coordinates are degenerate the tangent is any
 /// unit vector perpendicular to the normal, w = 1. Always finite, unit, orthogonal to the normal.
 ///

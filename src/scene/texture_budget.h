@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Which pictures of a source a scene keeps, and how large: all maps together stay within a budget.
+// SPDX-License-Identifier: MIT Selects the pictures of a source that a scene keeps, and their sizes: all maps
+// together stay within a budget.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace dermis::scene {
 
 /// Returns the memory of a map: its pixels, 4 bytes each, and its mip levels on the device, 4/3 times 4 bytes
-/// per pixel; 8 for colours, which some devices store as half floats.
+/// per pixel. These are 8 for colours, which some devices store as half floats.
 std::uint64_t map_bytes(int width, int height, bool colour);
 
 /// One use of a picture of the source: as colour or as data.

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// How the triangles of a mesh are connected: across edges, and in charts of the unwrap.
+// SPDX-License-Identifier: MIT Connections of the triangles of a mesh: across edges, and in charts of the
+// unwrap.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline constexpr std::uint32_t no_edge = 0xffffffffu;
 /// index next_corner(half).
 inline std::uint32_t next_corner(std::uint32_t half) { return half % 3 == 2 ? half - 2 : half + 1; }
 
-/// How the half edges of a mesh are connected.
+/// Connections of the half edges of a mesh.
 struct Topology {
   std::vector<std::uint32_t> position_id;  ///< per vertex; equal = same place (weld_positions)
   std::vector<std::uint32_t> uv_id;        ///< per vertex; equal = same texture coordinates (weld_uv)
@@ -37,7 +37,7 @@ Topology mesh_topology(std::span<const Vertex> vertices, std::span<const glm::ve
 double uv_area2(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c);
 
 /// Returns the chart of each triangle, from 0 in order of first appearance: triangles joined by continuous
-/// edges. A triangle without area in texture space never joins two charts: it takes the chart of the first
+/// edges. A triangle without area in texture space never joins two charts. It takes the chart of the first
 /// neighbour that shares coordinates with it, else it is a chart of its own.
 std::vector<std::uint32_t> find_charts(const Topology& topology, std::span<const glm::vec2> uv,
                                        std::span<const std::uint32_t> indices);

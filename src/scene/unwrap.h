@@ -26,7 +26,7 @@ struct SourceVertex {
   bool operator==(const SourceVertex&) const = default;
 };
 
-/// Which vertex of Scene::primitives a vertex was.
+/// The vertex of Scene::primitives that a vertex was.
 struct PrimitiveVertex {
   std::uint32_t primitive = 0, vertex = 0;
 };
@@ -76,7 +76,7 @@ struct SkinMesh {
   /// unwrap = uv0 * scale + offset for triangles with a chart: see fit_unwrap(). Of several layers each has
   /// an offset of its own, and this one means nothing.
   glm::dvec2 unwrap_scale{1}, unwrap_offset{0};
-  /// what fit_unwrap() did to the raw coordinates; empty if nothing
+  /// changes of fit_unwrap() to the raw coordinates; empty: none
   std::string unwrap_note;
 };
 

@@ -29,9 +29,10 @@ class Walker {
          std::span<const std::uint32_t> indices);
 
   /// Leaves a triangle through its half edge at the point `along` (0 = start, 1 = end; exactly 0 or 1 turns
-  /// around that vertex) and goes straight on by `uv_vector`, given in texture coordinates of that triangle
-  /// and converted to lengths in its plane. The line crosses to neighbours at the same place, whatever their
-  /// coordinates. Returns nothing if it meets an open border or does not end within 1,000 triangles.
+  /// around that vertex) and goes straight on by `uv_vector`. That is given in texture coordinates of the
+  /// triangle, and converted to lengths in its plane. The line crosses to neighbours at the same place,
+  /// whatever their coordinates. Returns nothing if it meets an open border or does not end within 1,000
+  /// triangles.
   std::optional<MeshPoint> leave(std::uint32_t half, double along, const glm::dvec2& uv_vector) const;
 
  private:

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What the rows say of values, held against settings.
+// SPDX-License-Identifier: MIT Holds settings against the ranges and names of their rows.
 #pragma once
 
 #include <string>

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Settings as JSON: an object per section, null where a setting has no value. What is written is read back to
-// the last bit.
+// SPDX-License-Identifier: MIT Settings as JSON: an object per section, null where a setting has no value.
+// Values that are written are read back to the last bit.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +17,8 @@
 
 namespace dermis {
 
-/// What a file of settings holds: those of RenderSettings, under "scene" how the scene is read, and under
-/// "reference" how ground truth is computed, where that is done.
+/// A file of settings: RenderSettings, SceneOptions under "scene", and ReferenceSettings under "reference"
+/// for commands that compute ground truth.
 struct SettingsFile {
   RenderSettings render;
   SceneOptions scene;

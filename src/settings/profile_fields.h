@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What profiles are computed from, a row for each.
+// SPDX-License-Identifier: MIT Inputs of profiles, a row for each.
 #pragma once
 
 #include "core/fields.h"

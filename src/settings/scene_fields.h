@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What a scene file says of instances and lights, a row for each. Scene holds the ranges.
+// SPDX-License-Identifier: MIT Members of instances and lights in a scene file, a row for each. Scene holds
+// the ranges.
 #pragma once
 
 #include "core/fields.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What stands behind the heads, by its name.
+/// The background, by its name.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ namespace {
 
 // Of a unit vector: a host keeps its matrices as floats, and multiplies some.
 constexpr double tolerance = 1e-3;
-// What floats hold with some digits to spare.
+// Floats hold these with some digits to spare.
 constexpr double least_m = 1e-6, most_m = 1e6, least_aspect = 1e-4;
 
 template <class... Args>
@@ -97,7 +97,7 @@ void check_form(const glm::dmat4& clip, bool perspective) {
     throw projection_error("must be a perspective or an orthographic camera, not sheared or oblique");
 }
 
-// Depth is b / t - a (perspective) or b - a t (orthographic) at the distance t; the near plane is where it is
+// Depth is b / t - a (perspective) or b - a t (orthographic) at the distance t. The near plane is where it is
 // 1 if it falls with t (reversed), else 0.
 double near_m(const glm::dmat4& clip, bool perspective) {
   const double a = clip[2][2], b = clip[3][2];

@@ -7,9 +7,9 @@
 
 namespace dermis::setup {
 
-/// Returns the camera. Throws InputError, which names the member of CameraMatrices and what is wrong with it:
-/// a number that is none, a view that is not rigid, a projection that is neither perspective nor
-/// orthographic, is mirrored, or has its near plane behind the eye, or shows nothing.
+/// Returns the camera. Throws InputError, which names the member of CameraMatrices and its fault: a number
+/// that is none, a view that is not rigid, a projection that is neither perspective nor orthographic. Further
+/// faults are a mirrored projection, a near plane behind the eye, and a view of nothing.
 scene::Camera camera_of(const CameraMatrices& matrices);
 
 /// Returns whether depth falls with the distance. Of a camera: camera_of() does not throw.

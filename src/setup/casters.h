@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What shadow maps of a head are fitted to.
+/// Bodies to which shadow maps of a head are fitted.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,7 +12,7 @@
 
 namespace dermis::setup {
 
-/// What casts the shadows of a head, in the world.
+/// Bodies that cast the shadows of a head, in the world.
 class Casters {
  public:
   /// `posed`: of a head in a pose, else null. `deformed`: a host moves its vertices, which may leave the body

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the settings leave open, decided in one place for pictures and for the reference: camera, lights,
-/// profile.
+/// Decides, for pictures and for the reference, what the settings leave open: camera, lights, profile.
 #pragma once
 
 #include <vector>

@@ -19,7 +19,7 @@
 
 namespace dermis::setup {
 
-/// Which environment a frame has.
+/// The environment of a frame.
 struct EnvironmentSource {
   std::string name{};                         ///< a file or "studio"; empty: the pixels
   SceneEnvironment pixels{};                  ///< without a file

@@ -18,13 +18,13 @@ namespace dermis::setup {
 io::CameraIo frame_camera(const scene::Camera& camera, double picture_aspect);
 
 /// Returns d_ref of [JG08] sec. 4, sphere radii: the distance at which the map at T_max has one texel per
-/// pixel, unless the settings give it; 0 if the camera is orthographic.
+/// pixel, unless the settings give it. It is 0 if the camera is orthographic.
 double reference_distance(const Subject& subject, const RenderSettings& settings,
                           const scene::Camera& camera);
 
-/// Returns how many pixels of the picture show a mm of the asset where the head is nearest: at the nearest
-/// point of its box (the paper takes the nearest vertex; a point that is never farther keeps maps from being
-/// too small). Infinity if the eye is inside. A d_ref that the settings give stands for that of the picture.
+/// Returns the number of pixels that show a mm of the asset where the head is nearest: at the nearest point
+/// of its box. The paper takes the nearest vertex; a point that is never farther keeps maps from being too
+/// small. Infinity if the eye is inside. A d_ref that the settings give stands for that of the picture.
 /// `posed`: of a head in a pose, whose box is that of the pose.
 double pixels_per_mm(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
                      const Pose& pose, const PosedAsset* posed = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What changes per frame, on the device.
+/// Data that change per frame, on the device.
 #pragma once
 
 #include <span>

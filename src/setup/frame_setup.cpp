@@ -113,7 +113,7 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
 }
 
 // Sorts far to near, so that what is blended is drawn over what lies behind it. Where one batch holds all
-// heads, their blended parts are sorted when they are drawn: heads of a model then stand together, and the
+// heads, their blended parts are sorted when they are drawn. Heads of a model then stand together, and the
 // plan stays as it is while heads change places.
 void sort_heads(FrameSetup& setup, const RenderSettings& s) {
   const techniques::FrameSettings& plan = setup.plan;
@@ -123,7 +123,7 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
   const bool by_model =
       s.output.show == "picture" && (plan.host || !blends || setup.heads.size() <= plan.heads_per_batch);
 
-  // What `show` names is of the last head: the nearest that has something to show.
+  // The map that `show` names is of the last head: the nearest that has something to show.
   const auto shows = [&](const HeadSetup& head) {
     return head.visible && plan.models[head.model].meshes > 0;
   };
@@ -153,7 +153,7 @@ void place_shadows(std::vector<HeadSetup>& heads, const techniques::FrameSetting
 }
 
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
-// What is blended casts no shadow.
+// Blended surfaces cast no shadow.
 bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   const scene::Scene& asset = *instance.asset;
   return std::all_of(asset.primitives.begin(), asset.primitives.end(), [&](const scene::Primitive& p) {
@@ -245,7 +245,7 @@ void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subject
   if (plan.mixes()) hold_what_shows(setup, every_view);
 }
 
-// How many Gaussians the profile of a part has, that without width too.
+// Returns the number of Gaussians of the profile of a part, that without width too.
 int gaussians_of(const techniques::SkinPart& part) {
   const auto has_weight = [](const gaussians::Rgb& weight) { return weight != gaussians::Rgb{}; };
   const std::vector<gaussians::Gaussian>& terms = part.profile.terms;

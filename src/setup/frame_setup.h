@@ -97,8 +97,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
                   const std::optional<std::vector<scene::Light>>& environment_lights = {},
                   const HostSetup* host = nullptr, bool every_view = true);
 
-/// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel: which mesh
-/// has fewest, how many, what that means and what helps.
+/// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel. The line says
+/// which mesh has fewest, how many, what that means and what helps.
 void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup);
 
 }  // namespace dermis::setup

@@ -24,7 +24,7 @@ namespace {
 // term".
 constexpr double wide_mm = 1;
 
-// What the heads of a model have in common.
+// Common properties of the heads of a model.
 struct ModelKey {
   const Subject* subject = nullptr;
   float scale = 1;

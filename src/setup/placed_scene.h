@@ -72,11 +72,11 @@ struct PlacedHead {
 /// row of several.
 std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSettings& settings);
 
-/// What cameras and rigs are placed by: spheres around the skin of the heads.
+/// Spheres around the skin of the heads, by which cameras and rigs are placed.
 struct HeadSpheres {
   scene::BoundingSphere middle;  ///< about the middle of the heads, as large as the largest of them
   std::vector<scene::BoundingSphere> framed;  ///< all visible instances; of a row, the middle head
-  /// What the rig stands around: the middle as long as all heads lie within its lamps, else all heads.
+  /// The rig stands around this: the middle as long as all heads lie within its lamps, else all heads.
   scene::BoundingSphere lit;
   std::vector<glm::vec3> offsets_m;  ///< from there to heads that the rig must reach too
 };

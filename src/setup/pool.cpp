@@ -16,7 +16,7 @@ constexpr double default_maps_mb = 512;      // if those take less
 constexpr double default_shadows_mb = 512;   // beyond those of as many heads
 constexpr std::uint32_t most_together = 64;  // heads
 
-// Returns a side that holds `most_side` texels, by steps of an eighth of a power of two of T_max: a head that
+// Returns a side that holds `most_side` texels, by steps of an eighth of a power of two of T_max. A head that
 // comes nearer changes the plan four times until its map has twice the side.
 std::uint32_t side_of_squares(std::uint32_t map_size, std::uint32_t most_side) {
   std::uint32_t octave = map_size;

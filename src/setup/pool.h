@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// How many heads are lit and blurred together, and how large the squares of their light maps are: decided by
-/// the budget of memory and by how many texels the heads use.
+/// Number of heads that are lit and blurred together, and size of the squares of their light maps. The budget
+/// of memory and the texels that the heads use decide.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace dermis::setup {
 
-/// What the frame's structure takes from the device.
+/// Properties of the device for the frame's structure.
 struct DeviceTraits {
   std::uint64_t memory_bytes = 0;        ///< of the device; 0: unknown
   std::uint32_t max_image_side = 16384;  ///< texels
@@ -28,9 +28,9 @@ struct PoolHeads {
 void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& technique,
                  const PoolHeads& heads, const RenderSettings& settings, const DeviceTraits& device);
 
-/// Returns whether each head of a plan, which knows its heads and its pool, can have shadow maps of its own:
-/// where they take no more memory than those of a batch, and, with `many_frames` to come, up to 512 MB and a
-/// quarter of the device's memory.
+/// Returns whether each head of a plan, which knows its heads and its pool, can have shadow maps of its own.
+/// So it is where they take no more memory than those of a batch, and, with `many_frames` to come, up to 512
+/// MB and a quarter of the device's memory.
 bool can_keep_shadows(const techniques::FrameSettings& plan, const techniques::Technique& technique,
                       const DeviceTraits& device, bool many_frames);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What is known of a scene whatever the settings: its skin as meshes with an unwrap, bounds, densities. Made
-/// once per scene.
+/// A scene, whatever the settings: its skin as meshes with an unwrap, bounds, densities. Made once per scene.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the skin of an asset sees of the sky, packed for the pass that turns it: passes/turn_sky.
+/// The sky that the skin of an asset sees, packed for the pass that turns it: passes/turn_sky.
 #pragma once
 
 #include <cstdint>

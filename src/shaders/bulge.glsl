@@ -1,9 +1,8 @@
-// SPDX-License-Identifier: MIT
-// How far the rounded surface that a triangle stands for lies above it. Shadows are looked up from there:
-// where light grazes a bent surface, its flat triangles would shadow themselves. Based on: [H21] Hanika:
-// Hacking the Shadow Terminator. Ray Tracing Gems II, 2021, ch. 4, which lifts a point to the tangent plane
-// of each corner that lies above it. Here the mean of the three planes lifts it, along its normal: that takes
-// one value per vertex, which a raster can interpolate.
+// SPDX-License-Identifier: MIT Height of the rounded surface, for which a triangle stands, above it. Shadows
+// are looked up from there: where light grazes a bent surface, its flat triangles would shadow themselves.
+// Based on: [H21] Hanika: Hacking the Shadow Terminator. Ray Tracing Gems II, 2021, ch. 4, which lifts a
+// point to the tangent plane of each corner that lies above it. Here the mean of the three planes lifts it,
+// along its normal: that takes one value per vertex, which a raster can interpolate.
 
 // Returns the distance of a vertex's tangent plane from the origin. n: unit.
 float plane_distance(vec3 position, vec3 n) { return dot(position, n); }

@@ -8,7 +8,7 @@ layout(binding = 32) uniform sampler2D map_alpha_max;  // passes/alpha_max.h
 struct CutTexel {
   vec4 uv;  // both sets of texture coordinates
   vec4 colour;
-  // How far alpha_uv() and the alpha of the colour reach from the centre to a corner of two by two texels.
+  // Change of alpha_uv() and of the colour's alpha from the centre to a corner of two by two texels.
   vec2 uv_reach;
   float alpha_reach;
 };

@@ -86,8 +86,8 @@ float shadow_texel_m(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
 }
 
-// Shadow bias: returns a point moved along its normal, by an offset that grows with the grazing angle up to
-// `texels`, or to the rounded surface if that is further; plus one texel towards the light.
+// Shadow bias: returns a point moved along its normal, to the rounded surface, or by an offset that grows
+// with the grazing angle up to `texels` if that is further. Plus one texel towards the light.
 vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels) {
   const float cosine = dot(s.normal, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
   return s.shadow_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * texel_m;
@@ -147,8 +147,8 @@ float share_lit(LightIo light, Arriving a, ShadingPoint s, MapLook m) {
   return lit;
 }
 
-// Moves the receiver along its geometric normal by the radius of the filter (so that a plane never shadows
-// itself, at any slope), or to the rounded surface, and one texel towards the light.
+// Moves the receiver along its geometric normal by the radius of the filter, so that a plane never shadows
+// itself, at any slope. Or it moves it to the rounded surface; and one texel towards the light.
 float shadow_at(LightIo light, Arriving a, ShadingPoint s) {
   if (light.shadow_layers == 0u) return 1.0;
   ShadingPoint facing = s;

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// How skin answers light at a point beside what it scatters: what it emits, and how it mirrors its
-// surroundings.
+// SPDX-License-Identifier: MIT Light from skin at a point beside scattered light: emission, and reflection of
+// the surroundings.
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"
 #include "shaders/skin_lights.glsl"
@@ -24,7 +23,7 @@ vec3 emitted(ShadingPoint s) {
 
 // Returns the environment in both lobes, by their directional albedo. Where skin occludes it, the lobe
 // reflects `skin`, the radiance that leaves skin here. At grazing angles a lobe is narrower than its slope
-// and bent towards the normal: both fits are ours, within 4 degrees and a quarter of the width of the lobe's
+// and bent towards the normal. Both fits are ours, within 4 degrees and a quarter of the width of the lobe's
 // mean, m = 0.1 to 0.4.
 vec3 mirrored_surroundings(ShadingPoint s, vec2 unwrap, SkinView view, SkinSpecular spec, vec3 skin) {
   const vec3 n = view.n, v = view.to_eye;

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: MIT
-// What skin does with the lights of a frame: light enters, and light is reflected to the eye. Each light's
-// shadow, which costs more than the rest, is evaluated once for both. Follows skin_point.glsl.
+// SPDX-License-Identifier: MIT Skin under the lights of a frame: light enters, and light is reflected to the
+// eye. Each light's shadow, which costs more than the rest, is evaluated once for both. Follows
+// skin_point.glsl.
 
-// How a point is seen.
+// The view of a point.
 struct SkinView {
   bool reflects;  // false: nobody looks at it, or nothing is reflected
   vec3 n;         // unit, as mapped_normal(), turned towards the eye where it faces away
@@ -35,8 +35,8 @@ float reflected_share(SkinView view, SkinSpecular spec, LightIo light, Arriving 
 }
 
 // Sums over the lights. enters: whether the light that enters is wanted. It is without what the surface
-// reflects; the division by its mean over all directions here, where light enters, keeps a white furnace
-// white also with maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean).
+// reflects. The division by its mean over all directions here, where light enters, keeps a white furnace
+// white, also with maps that vary: (1-rho(L)) (1-rho(V)) / (1-rho_mean).
 LitSkin lit_skin(ShadingPoint s, vec3 n, SkinSpecular spec, bool enters, SkinView view) {
   LitSkin sum = LitSkin(vec3(0.0), vec3(0.0));
   for (uint i = nothing(); i < frame.light_count; ++i) {

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
-// Material of a point of skin and the light that enters there: shared by the pass in texture space and by
-// direct shading per pixel, so that both show the same skin. Buffers are uniform, not storage: some software
-// devices read zeros from storage in helper invocations, which breaks texture derivatives.
+// SPDX-License-Identifier: MIT Material of a point of skin and the light that enters there. The pass in
+// texture space and direct shading per pixel share it, so that both show the same skin. Buffers are uniform,
+// not storage: some software devices read zeros from storage in helper invocations, which breaks texture
+// derivatives.
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 #include "shaders/instance.glsl"
 #include "shaders/frame.glsl"
@@ -72,7 +72,7 @@ float skin_open(ShadingPoint s, vec2 unwrap) {
 
 // Returns the irradiance that enters from the environment; its reflected part and the division by the mean
 // cancel. Under a picture, occluders reflect their own light over any number of bounces, as white skin in a
-// white environment stays white. What a painted map occludes is lit as the point itself: a geometric series
+// white environment stays white. Occluders of a painted map are lit as the point itself: a geometric series
 // of the albedo. Based on: Stewart, Langer: Toward Accurate Recovery of Shape from Shading Under Diffuse
 // Lighting, PAMI 19(9), 1997.
 vec3 entering_surroundings(ShadingPoint s, vec3 n, vec2 unwrap) {

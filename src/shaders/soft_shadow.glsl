@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: MIT
-// Penumbrae of lights that are discs, which face the lit point. The map is back-projected onto the light: an
-// occluder at a distance towards the light, beside the ray to its centre, hides one point of the disc. In
-// each of a few directions hidden points are collected as bits, so that occluders behind each other do not
-// count twice. Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time Soft Shadow Mapping by Backprojection,
-// EGSR 2006 (samples of the map are small plates in space); [TLG23] Therrien, Levesque, Gilet: Screen Space
-// Indirect Lighting with Visibility Bitmask, The Visual Computer 2023. Needs: sampler2DArray `shadow_depths`.
+// SPDX-License-Identifier: MIT Penumbrae of lights that are discs, which face the lit point. The map is
+// back-projected onto the light: an occluder at a distance towards the light, beside the ray to its centre,
+// hides one point of the disc. In each of a few directions hidden points are collected as bits, so that
+// occluders behind each other do not count twice. Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time
+// Soft Shadow Mapping by Backprojection, EGSR 2006 (samples of the map are small plates in space). [TLG23]
+// Therrien, Levesque, Gilet: Screen Space Indirect Lighting with Visibility Bitmask, The Visual Computer
+// 2023. Needs: sampler2DArray `shadow_depths`.
 layout(constant_id = 10) const bool soft_shadows = false;
 
 const int soft_directions = 8, soft_steps = 10;

@@ -1,10 +1,9 @@
-// SPDX-License-Identifier: MIT
-// Specular reflection of skin. Based on: [DLE07] d'Eon, Luebke, Enderton: Efficient Rendering of Human Skin,
-// EGSR 2007 (GPU Gems 3, ch. 14.3); [WMLT07] Walter et al.: Microfacet Models for Refraction through Rough
-// Surfaces, EGSR 2007; [Hei14] Heitz: Understanding the Masking-Shadowing Function, JCGT 3(2), 2014.
-// The lobe is pi times a normalised Beckmann lobe, so rho_s = 0.18 is an energy scale of 0.565. As a BRDF it
-// multiplies irradiance directly, and the directional albedo, rho_s * rho, is exactly what it reflects.
-// A technique that includes a lobe of its own before this file defines OWN_LOBE.
+// SPDX-License-Identifier: MIT Specular reflection of skin. Based on: [DLE07] d'Eon, Luebke, Enderton:
+// Efficient Rendering of Human Skin, EGSR 2007 (GPU Gems 3, ch. 14.3). [WMLT07] Walter et al.: Microfacet
+// Models for Refraction through Rough Surfaces, EGSR 2007; [Hei14] Heitz: Understanding the Masking-Shadowing
+// Function, JCGT 3(2), 2014. The lobe is pi times a normalised Beckmann lobe, so rho_s = 0.18 is an energy
+// scale of 0.565. As a BRDF it multiplies irradiance directly, and the directional albedo, rho_s * rho, is
+// exactly what it reflects. A technique that includes a lobe of its own before this file defines OWN_LOBE.
 
 const float pi = 3.14159265358979;
 

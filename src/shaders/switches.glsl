@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Conditions and loop bounds that depend on uniform blocks, for shaders that shade points.
 //
-// One software driver (Mesa's lavapipe 22) compiles a shader again for each draw, and keeps the result, if a
-// condition or a loop depends on uniform blocks alone: 5 MB per skin mesh and frame. So these depend on the
+// One software driver (Mesa's lavapipe 22) compiles a shader again for each draw if a condition or a loop
+// depends on uniform blocks alone. It keeps the result: 5 MB per skin mesh and frame. So these depend on the
 // fragment (or what main() reads) too, without effect.
 
 // Always 0.

@@ -1,10 +1,9 @@
-// SPDX-License-Identifier: MIT
-// One read of a light's map for both of its uses: the share of the light that arrives where the surface faces
-// it, and, for a surface that faces away, where and how transmitted light has entered. Translucent shadow
-// maps; docs/techniques.md explains the design. Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow
-// Maps, EGSR 2003 (entering light is part of the shadow map, and is gathered in the light's view); [DLE07]
-// GPU Gems 3, ch. 14.5 (thickness with the normals' correction). Needs: lights.glsl, entering_maps
-// (sampler2DArray of the same layers), `transmission`, through_terms.
+// SPDX-License-Identifier: MIT One read of a light's map for both of its uses: the share of the light that
+// arrives where the surface faces it. For a surface that faces away, place and angle at which transmitted
+// light has entered. Translucent shadow maps; docs/techniques.md explains the design. Based on: [SD03]
+// Dachsbacher, Stamminger: Translucent Shadow Maps, EGSR 2003 (entering light is part of the shadow map, and
+// is gathered in the light's view). [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction).
+// Needs: lights.glsl, entering_maps (sampler2DArray of the same layers), `transmission`, through_terms.
 
 #ifndef THROUGH_RAYS  // false: of no more than narrow terms
 #define THROUGH_RAYS true
@@ -36,9 +35,9 @@ struct FirstSurfaces {
   bool shaded;
 };
 
-// Each texel decides whether light enters: the back of a surface, which light meets inside a bust or a mask,
-// lets none in, and its depth, often that of the very point that is lit, must not be mixed with others.
-// Nothing is read where the surface faces the light, as in look_beside().
+// Each texel decides whether light enters. The back of a surface, which light meets inside a bust or a mask,
+// lets none in. Its depth, often that of the very point that is lit, must not be mixed with others. Nothing
+// is read where the surface faces the light, as in look_beside().
 FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
   const vec2 f = m.between, size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);
   FirstSurfaces s;
@@ -64,7 +63,7 @@ FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
   return s;
 }
 
-// Finds the surface at the lit point, in the world and without the inverse of the map's matrix: a plane stays
+// Finds the surface at the lit point, in the world and without the inverse of the map's matrix. A plane stays
 // a plane under projection, so differences of depth between neighbouring texels give it.
 void find_lit_point(inout LightRead r, MapLook m, FirstSurfaces s, MapRay ray, vec3 to_light,
                     vec3 n_geometric) {
@@ -94,8 +93,8 @@ float way_beside(MapRay ray, MapLook m, vec2 side) {
 }
 
 // Finds the distances along four rays of each of both terms, `near` and `wide` and their quarter turns away,
-// in texels. Nothing is read where the surface faces the light: the loop then ends before its first turn,
-// which a software device, too, turns into time saved (it computes both sides of an `if`).
+// in texels. Nothing is read where the surface faces the light: the loop then ends before its first turn.
+// That saves time on a software device, too, which computes both sides of an `if`.
 void look_beside(inout LightRead r, MapRay ray, MapLook m, vec2 near, vec2 wide, bool faces) {
   const int rays = faces || !THROUGH_RAYS ? 0 : 4;
   for (int k = 0; k < rays; ++k) {
@@ -156,11 +155,11 @@ vec3 slab_gain(float thickness_m) {
 
 // Adds, per Gaussian, the part of the light crossing the map's plane that arrives. cosine_here < 0.
 //
-// For a Gaussian of variance v, all the light of the lit side that reaches a point is the mean of exp(-z^2 /
-// 2v) over rays of the light within a Gaussian of the same variance, with z the distance along each: exact on
-// any lit surface. The wide terms, which reach around corners, take that mean over five rays (a rule exact to
-// the third degree). Narrow ones take the lit side for a plane, and so do wide ones where both sides are
-// parallel: then the mean is known. Without THROUGH_RAYS all do.
+// For a Gaussian of variance v, all the light of the lit side that reaches a point is a mean of exp(-z^2 /
+// 2v). It goes over rays of the light within a Gaussian of the same variance, with z the distance along each.
+// It is exact on any lit surface. The wide terms, which reach around corners, take that mean over five rays
+// (a rule exact to the third degree). Narrow ones take the lit side for a plane, and so do wide ones where
+// both sides are parallel: then the mean is known. Without THROUGH_RAYS all do.
 //
 // Near an edge the blur over the surface already brings light to where these means hold too. It hardly does
 // where the lit point faces away from here; elsewhere the share that is not yet counted grows with the angle

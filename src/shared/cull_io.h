@@ -3,7 +3,7 @@
 #define DERMIS_SHARED_CULL_IO_H
 #include "shared/types.h"
 DERMIS_IO_BEGIN
-// What decides, with the camera, which triangles of a head its light maps leave out: see shaders/cull.glsl.
+// Decides, with the camera, which triangles of a head its light maps leave out: see shaders/cull.glsl.
 struct CullIo {
   uint can_cull;   // 0: both sides of this material are visible
   float map_side;  // of its light maps, texels

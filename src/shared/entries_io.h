@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// What of the skin a picture shows, before it is shaded: an id per sample, an entry for each surface of a
-// pixel, and the entries sorted by part. A part is a run of triangles of one material of a skin mesh of a
-// head; a run that is longer than ids can number is several parts.
+// SPDX-License-Identifier: MIT Skin that a picture shows, before it is shaded: an id per sample, an entry for
+// each surface of a pixel, and the entries sorted by part. A part is a run of triangles of one material of a
+// skin mesh of a head; a run that is longer than ids can number is several parts.
 #ifndef DERMIS_SHARED_ENTRIES_IO_H
 #define DERMIS_SHARED_ENTRIES_IO_H
 #include "shared/types.h"
@@ -10,7 +9,7 @@
 #define ID_TRIANGLE_BITS 16
 #define MOST_PARTS 0xFFFF  // of a frame
 
-// A picture is listed in bands of rows: the entries of a band, 16 bytes per pixel, and the ranges of all
+// A picture is listed in bands of rows. The entries of a band, 16 bytes per pixel, and the ranges of all
 // parts fit in a storage buffer of every device, 128 MiB.
 #define MOST_BAND_PIXELS 0x7F0000
 

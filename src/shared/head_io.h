@@ -4,7 +4,7 @@
 #include "shared/instance_io.h"
 #include "shared/scene_io.h"
 DERMIS_IO_BEGIN
-// What differs from head to head, in one buffer: devices may have no more than 32 bindings.
+// Data that differ from head to head, in one buffer: devices may have no more than 32 bindings.
 struct HeadIo {
   InstanceIo instance;
   LampsIo lamps;

@@ -3,7 +3,7 @@
 #define DERMIS_SHARED_INSTANCE_IO_H
 #include "shared/types.h"
 DERMIS_IO_BEGIN
-// How an instance of an asset stands in the world: turned, scaled, then moved.
+// Place of an instance of an asset in the world: turned, scaled, then moved.
 struct InstanceIo {
   vec3 x_axis, y_axis, z_axis;  // unit: images of the asset's axes
   vec3 origin_m;                // image of its origin

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What moves the vertices of an asset that takes poses.
+// SPDX-License-Identifier: MIT Joints, skins and morph targets that move the vertices of an asset.
 #ifndef DERMIS_SHARED_RIG_IO_H
 #define DERMIS_SHARED_RIG_IO_H
 #include "shared/types.h"

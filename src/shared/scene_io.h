@@ -91,8 +91,8 @@ struct LightIo {
   vec3 unused;         // whole texels
 };
 
-// Where the lights of a head lie among the texels of Lamps, 16 bytes each: LightIo[], and mat4[] for the
-// layers of the shadow maps, of which a head has those from its first on.
+// Where the lights of a head lie among the texels of Lamps, 16 bytes each. They are LightIo[], and mat4[] for
+// the layers of the shadow maps, of which a head has those from its first on.
 struct LampsIo {
   int lights, shadow_matrices;  // the texel of number 0
 };

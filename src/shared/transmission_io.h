@@ -14,7 +14,7 @@ struct TransmissionIo {
   vec3 group_weight[TRANSMISSION_GROUPS];  // sum of its terms'
   // part of the light of each term that joins at each group
   vec3 share[TRANSMISSION_GROUPS * MOST_TERMS];
-  // What a slab of the medium lets through over what the Gaussians say: passes/transmission.h.
+  // Light through a slab of the medium, over that of the Gaussians: passes/transmission.h.
   vec3 gain[TRANSMISSION_GAINS];
   float gains_end_per_m;  // 1 over the thickness of the last
 };

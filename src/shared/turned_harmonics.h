@@ -6,8 +6,8 @@
 // Harmonics. EGRW 2002, appendix (a rotation as turns about the axis of the harmonics, and quarter turns that
 // are constant)
 //
-// No loop is longer than 18: the software driver unrolls up to 32, and puts arrays whose index it does not
-// know into memory, which made the pass 20 times slower.
+// No loop is longer than 18. The software driver unrolls up to 32; arrays whose index it does not know it
+// puts into memory, which made the pass 20 times slower.
 #ifndef DERMIS_SHARED_TURNED_HARMONICS_H
 #define DERMIS_SHARED_TURNED_HARMONICS_H
 #define HARMONICS_36 36
@@ -87,7 +87,7 @@ DERMIS_INLINE void quarter_turn_about_x(DERMIS_HARMONICS(h)) {
 
 // Turns by a unit quaternion (x, y, z, w): what lay at d lies at q d q^-1.
 //
-// q = Ry(a) Rz(b) Ry(c) has w + i y = cos(b/2) e^(i (a + c) / 2) and z + i x = sin(b/2) e^(i (a - c) / 2), so
+// q = Ry(a) Rz(b) Ry(c) has w + i y = cos(b/2) e^(i (a + c) / 2) and z + i x = sin(b/2) e^(i (a - c) / 2). So
 // no angle is needed: a, b and c are products of unit complex numbers. If one of the two is 0, only a + c or
 // only a - c counts, and any value of the other serves.
 //

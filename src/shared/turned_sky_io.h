@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: MIT
-// What the skin of an asset sees of the sky, and the sky, for skin that moves.
+// SPDX-License-Identifier: MIT The sky, and the part of it that the skin of an asset sees, for skin that
+// moves.
 #ifndef DERMIS_SHARED_TURNED_SKY_IO_H
 #define DERMIS_SHARED_TURNED_SKY_IO_H
 #include "shared/types.h"
 
-// What is known of a texel that skin sees the sky from, packed. Row r of texel i lies at [r * count + i], so
-// that neighbours read neighbours.
+// A texel from which skin sees the sky, packed. Row r of texel i lies at [r * count + i], so that neighbours
+// read neighbours.
 #define SKY_TEXEL_AT 0        // x | y << 16
 #define SKY_TEXEL_VERTICES 1  // numbers of the corners of its triangle
 #define SKY_TEXEL_WEIGHTS 4   // of the second and third corner, unorm2x16

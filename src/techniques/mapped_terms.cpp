@@ -19,7 +19,7 @@ constexpr double mapped_sigma_texels = 0.35;
 // Sigma, in pixels, by which a pixel averages light: as a map holds a term of some sigma, it holds light that
 // is not blurred where pixels are that coarse.
 constexpr double pixel_sigma = 0.5;
-// The rest stays lit at the pixel, where rims that are lit from behind are dark as they should be: the mean
+// The rest stays lit at the pixel, where rims that are lit from behind are dark as they should be. The mean
 // of both is nearer to the truth than either.
 constexpr double most_entered_share = 0.5;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which terms of the profile are blurred for a head: those that its pixels read.
+/// Selects the terms of the profile that are blurred for a head: those that its pixels read.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ inline constexpr double held_sigma_texels = 0.9;
 double least_sigma_pixels(const SkinPart& part, double sigma_mm);
 
 /// Returns the part of the light of narrower terms than SkinPart::mapped() that pixels of a head read from
-/// the light before any blur: a texel averages light better than the two points at which a coarse pixel is
+/// the light before any blur. A texel averages light better than the two points at which a coarse pixel is
 /// lit.
 float entered_share(const SkinPart& part, const MapDetail& detail);
 
-/// Returns the narrowest term that a map of T_max texels holds, where pixels are no finer than this, and all
-/// after it are; the widest if none is, as a map has at least one term.
+/// Returns the first of the terms that a map of T_max texels holds, where pixels are no finer than this. It
+/// is the widest if none fits, as a map has at least one term.
 std::uint32_t first_mapped(const SkinPart& part, const MapDetail& finest);
 
 /// Returns the terms of skin mesh `mesh` of the plan that are read from its light maps, of

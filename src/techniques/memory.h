@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How much memory the maps of a frame take, summed from those that a plan has.
+/// Memory of the maps of a frame, summed from those that a plan has.
 #pragma once
 
 #include <cstdint>

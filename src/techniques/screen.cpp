@@ -130,7 +130,7 @@ void Screen::add_entries() {
   }
 
   entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
-  // What a host holds cannot be cleared, nor read.
+  // A host's targets cannot be cleared, nor read.
   ids_depth_ = settings_.host ? plan_->texture("depth of ids", target(passes::depth_format)) : depth_;
   ids_ = plan_->add<passes::Ids>("ids", {ids_depth_, entries_.parts}, ids).ids;
   plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});

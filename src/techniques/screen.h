@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What all techniques share: the targets on the screen, the parts that are not skin, and how a frame ends.
+/// Common part of all techniques: the targets on the screen, the parts that are not skin, and the end of a
+/// frame.
 #pragma once
 
 #include <string>
@@ -48,8 +49,8 @@ class Screen {
   /// Adds the count of reads of its maps that find no light, into this slot of the counters. Before
   /// add_skin(), which takes the ids of the entries. Nothing for a host.
   void add_unshaded_reads(const std::vector<SkinOnScreen>& skin, std::uint32_t slot, const std::string& name);
-  /// For skin that a pass of the technique draws: the target that it, or a layer over it, is drawn into, made
-  /// at the first call; and true at the first call only: that pass clears colour and depth.
+  /// For skin that a pass of the technique draws. colour(): the target of it, or of a layer over it, made at
+  /// the first call. take_clear(): true at the first call only; that pass clears colour and depth.
   frame::TextureId colour();
   bool take_clear();
   /// Adds skin shaded in parts, of which `surface` takes what is blurred. blurred: the share of each skin
@@ -80,7 +81,7 @@ class Screen {
   gpu::TextureDesc target(VkFormat format) const;
   bool shaded() const { return entries_.entries.valid(); }  // add_entries() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
-  // What is not skin is drawn into a layer over it; into a host's targets it is drawn as it is.
+  // Other surfaces are drawn into a layer over it; into a host's targets they are drawn as they are.
   bool layered() const { return shaded() && !settings_.host; }
   // Writes the shaded skin of a batch into the targets of a host.
   void add_composed(const Batch& batch);

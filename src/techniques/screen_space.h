@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// What techniques that blur light in the picture share: skin is shaded once per entry of a pixel, in parts;
-/// what entered is blurred between pixels, and leaves. Lights, shadow maps and shading are those of all
-/// techniques.
+/// Common part of the techniques that blur light in the picture. Skin is shaded once per entry of a pixel, in
+/// parts. Light that entered is blurred between pixels, and leaves. Lights, shadow maps and shading are those
+/// of all techniques.
 #pragma once
 
 #include "passes/screen_surface.h"

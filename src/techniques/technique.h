@@ -76,7 +76,7 @@ struct SkinPart {
   bool operator==(const SkinPart&) const = default;
 };
 
-/// How fine the light maps and the pixels of a head are.
+/// Fineness of the light maps and of the pixels of a head.
 struct MapDetail {
   std::uint32_t side = 0;  ///< T, texels
   /// of the asset, where the head is nearest
@@ -102,7 +102,7 @@ struct Optimise {
   bool operator==(const Optimise&) const = default;
 };
 
-/// What a host takes from a frame, and gives to it: see dermis/vulkan.h.
+/// A host's share in a frame: see dermis/vulkan.h.
 struct HostPart {
   std::optional<passes::PictureFormat> picture;  ///< the heads are drawn into its targets; none: they are not
   std::uint32_t width = 0, height = 0;           ///< of its largest targets, pixels: room for ids and entries
@@ -112,7 +112,7 @@ struct HostPart {
   bool operator==(const HostPart&) const = default;
 };
 
-/// The structure of a frame: a change makes a new plan. What changes per frame is passes::FrameData.
+/// The structure of a frame: a change makes a new plan. Data that change per frame are passes::FrameData.
 struct FrameSettings {
   std::uint32_t width = 1280, height = 720;  ///< pixels
   std::uint32_t samples = 4;                 ///< per pixel, 1 or 4
@@ -137,7 +137,7 @@ struct FrameSettings {
   /// Light comes through the body: lit from behind, thin skin glows.
   bool translucency = false;
   /// All that casts shadows is skin whose whole albedo acts after scattering (mix 0), so that all light
-  /// enters its front: a map stores which side the light meets, and not which part of it enters.
+  /// enters its front. A map then stores which side the light meets, and not which part of it enters.
   bool all_enters = false;
   BlurMask mask = BlurMask::depth;  ///< of technique `published`
   bool all_mapped = false;          ///< every term is read from its map, whatever T
@@ -175,8 +175,8 @@ struct FrameSettings {
   /// host that reads the blurred light reads all of it there.
   bool mixes() const { return optimise.depth && !all_mapped && !host_lights() && !(host && host->scattered); }
   /// Returns the texels per mm of maps of T that bound the first step of the part's chain of blurs. A
-  /// twentieth of its skin exceeds them. T by need suits the mean density: there the densest places let taps
-  /// of the first step leave texels out, which saves a step; its light is off by less than 1 %
+  /// twentieth of its skin exceeds them. T by need suits the mean density. The densest places let taps of the
+  /// first step leave texels out there, which saves a step. Its light is off by less than 1 %
   /// (docs/techniques.md).
   double chain_texels_per_mm(const SkinPart& part, std::uint32_t side) const {
     return part.max_texels_per_mm(side) / (mixes() ? 1.5 : 1);
@@ -209,7 +209,7 @@ struct Shown {
   std::uint32_t term = 0;
 };
 
-/// What a plan makes. The executor of the plan owns the textures and the buffer; these are handles.
+/// Outputs of a plan. The executor of the plan owns the textures and the buffer; these are handles.
 struct FrameOutputs {
   /// RGBA16F, linear, with bloom; alpha = share of the pixel that is skin
   frame::TextureId picture;
@@ -230,7 +230,7 @@ struct FrameOutputs {
   std::vector<std::vector<passes::MapPlace>> map_places;
 };
 
-/// What a frame has computed, for its statistics. docs/methodology.md says what each figure means.
+/// Counts of a frame, for its statistics. docs/methodology.md says what each figure means.
 struct FrameReport {
   std::uint64_t skin_pixels = 0;
   std::vector<std::string> optimise;  ///< of cull, depth, clip
@@ -254,11 +254,11 @@ struct GutterSize {
   int width_texels = 0;
 };
 
-/// How many taps a kernel may have.
+/// Number of taps that a kernel may have.
 struct TapRange {
   std::uint32_t least = 0, most = 0, usual = 0;
   bool odd = false;  ///< their number is odd
-  /// How many ScreenKernel::published takes, whatever is asked for; 0: as many as are asked for.
+  /// Number of taps of ScreenKernel::published, whatever is asked for; 0: as many as are asked for.
   std::uint32_t published = 0;
 };
 

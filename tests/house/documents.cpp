@@ -147,6 +147,9 @@ Violations check_sentences(const std::vector<SourceFile>& tree, int most_words) 
       if (sentence.words > most_words)
         violations.push_back(fmt::format("{}:{}: a sentence of {} words: {}", file.path, sentence.line,
                                          sentence.words, trimmed(sentence.text)));
+      if (has_clause_subject(sentence.text))
+        violations.push_back(fmt::format("{}:{}: the subject is a clause: {}", file.path, sentence.line,
+                                         trimmed(sentence.text)));
     }
   }
   return violations;

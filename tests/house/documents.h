@@ -19,7 +19,7 @@ bool is_document(const SourceFile& file);
 /// from the code ("<!-- ...: written by ... -->"), are left out.
 std::vector<Sentence> sentences_of(const SourceFile& file);
 
-/// Sentences of documents with more words than that.
+/// Sentences of documents with more words than that, or with a clause as subject.
 Violations check_sentences(const std::vector<SourceFile>& tree, int most_words);
 
 /// Number of sentences with more words than that in all other Markdown.

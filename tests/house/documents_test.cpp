@@ -28,11 +28,12 @@ TEST(Documents, SentencesEndWhereAReaderStops) {
 
 TEST(Documents, FindsALongSentence) {
   const std::vector<house::SourceFile> tree{
-      file("README.md", {"one two three four"}), file("docs/a.md", {"one two", "three. four"}),
+      file("README.md", {"one two three four", "# How it is"}), file("docs/a.md", {"one two", "three. four"}),
       file("docs/b.md", {"<!-- rows: written by a test -->", "| one two three four |", "<!-- end -->"}),
       file("ARCHITECTURE.md", {"one two three four"})};
   EXPECT_EQ(house::check_sentences(tree, 3),
-            (house::Violations{"README.md:1: a sentence of 4 words: one two three four"}));
+            (house::Violations{"README.md:1: a sentence of 4 words: one two three four",
+                               "README.md:2: the subject is a clause: How it is"}));
   EXPECT_EQ(house::count_long_sentences_elsewhere(tree, 3), 1);
 }
 

@@ -184,7 +184,8 @@ std::vector<Sentence> split(const Block& block) {
 }
 
 bool has_clause_subject(const std::string& sentence) {
-  static const std::regex clause(R"(^[("'\s]*([Ww]hat|[Hh]ow|[Ww]hich|[Ww]ho|[Ww]hatever|[Ww]hoever)\b.*)");
+  static const std::regex clause(
+      R"(^[("'\s]*([Ww]hat|[Hh]ow|[Ww]hich|[Ww]ho|[Ww]hatever|[Ww]hoever)\b[^(].*)");
   const std::string text = trimmed(sentence);
   return !text.ends_with('?') && std::regex_match(text, clause);
 }

@@ -39,7 +39,8 @@ TEST(Prose, ReadsTextsOfPrograms) {
 TEST(Prose, KnowsAClauseForASubject) {
   for (const char* clause : {"What a frame costs.", "how many pixels", "(which of them) is it", "Who calls"})
     EXPECT_TRUE(house::has_clause_subject(clause)) << clause;
-  for (const char* other : {"What is it?", "Whatsoever", "Cost of a frame", "Returns what it costs", ""})
+  for (const char* other :
+       {"What is it?", "Whatsoever", "what() is one line", "Cost of a frame", "Returns what it costs", ""})
     EXPECT_FALSE(house::has_clause_subject(other)) << other;
 }
 

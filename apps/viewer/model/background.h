@@ -21,12 +21,12 @@
 
 namespace dermis::viewer {
 
-/// How a piece of work ended.
+/// End of a piece of work.
 template <class Result>
 struct Outcome {
   std::optional<Result> result{};    ///< none: it failed, or was ended
   std::string error{};               ///< empty: it was ended, or there is a result
-  std::vector<std::string> notes{};  ///< what the library said
+  std::vector<std::string> notes{};  ///< messages of the library
 };
 
 template <class Result>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The camera under the mouse: it turns around what it looks at, moves with the picture, comes nearer, flies.
-/// What a camera of the scene or a framing gave becomes an eye and a target (CameraSettings), so that every
-/// move is a setting that a command line can name.
+/// A camera of the scene or a framing becomes an eye and a target (CameraSettings), so that every move is a
+/// setting that a command line can name.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ CameraPlace camera_place(const Document& document);
 io::CameraIo drawn_camera(const Scene& scene, const RenderSettings& settings);
 
 /// Returns the point of the world that a camera sees at `u`, `v` of its picture (0 to 1, to the right and
-/// down) in this depth (metres along the direction in which it looks, as Labels have it).
+/// down) in this depth: metres along the direction in which it looks, as Labels have it.
 std::array<double, 3> point_at_depth(const io::CameraIo& camera, double u, double v, double depth_m);
 
 /// Sets eye, target and field of view, rounded to micrometres, in place of all else that names a camera.

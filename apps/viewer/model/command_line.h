@@ -12,7 +12,8 @@
 namespace dermis::viewer {
 
 /// Returns the options that make these settings of the default ones, a word each: from the rows of the
-/// settings, so that a new setting needs nothing here. What no option can say (camera.matrices) is left out.
+/// settings, so that a new setting needs nothing here. Settings without an option (camera.matrices) are left
+/// out.
 std::vector<std::string> option_words(const RenderSettings& settings);
 /// Likewise, of how the files of a scene are read.
 std::vector<std::string> option_words(const SceneOptions& options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What is edited: a scene and the settings that it is drawn with. And every state that it was in, for undo.
+/// The edited document: a scene and the settings that it is drawn with. And every state that it was in, for
+/// undo.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace dermis::viewer {
 
-/// What was opened: the words that name it on a command line, and what they give.
+/// An opened scene: the words that name it on a command line, and their result.
 struct Opened {
   std::vector<std::string> words;  ///< files and options that choose between them; empty: the built-in head
   SceneOptions options{};
@@ -24,7 +25,7 @@ struct Document {
   std::shared_ptr<const Opened> opened;
   Scene scene;
   RenderSettings settings{};
-  SkinSource skin{};  ///< what the profile of the scene's skin was made of, if it was made here
+  SkinSource skin{};  ///< the source of the profile of the scene's skin, if it was made here
 };
 
 /// Returns whether both show the same instances, lights and surroundings.
@@ -36,8 +37,8 @@ class History {
   explicit History(Document first);
 
   const Document& now() const { return states_[at_].document; }
-  /// Grows with every change of what is seen, undo and redo too. What a skin is made of is seen when its
-  /// profile is there, by amend().
+  /// Grows with every change of what is seen, undo and redo too. The source of a skin shows when its profile
+  /// is there, by amend().
   std::uint64_t revision() const { return revision_; }
 
   /// Takes an edited document. `what` names the change. Changes of one `gesture` (a drag of a slider, say)

@@ -16,9 +16,9 @@ double ms_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A session has all that any camera may need, so pictures follow at once; a prepared frame has what one view
-// needs: for a picture at rest, which costs less after a change of the profile. It also times passes, chooses
-// an exposure and shows maps; labels are the session's.
+// A session has all that any camera may need, so pictures follow at once. A prepared frame has the needs of
+// one view: for a picture at rest, which costs less after a change of the profile. It also times passes,
+// chooses an exposure and shows maps; labels are the session's.
 bool needs_prepared(const Wish& wish) {
   if (wish.settings.output.show != "picture") return true;
   if (wish.moving) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What pictures of the window are drawn on: a renderer with a session for pictures that change, one for
-/// pictures at rest, and a frame whose passes are timed. Of one thread.
+/// Draws the pictures of the window: a renderer with a session for pictures that change, one for pictures at
+/// rest, and a frame whose passes are timed. Of one thread.
 #pragma once
 
 #include <functional>

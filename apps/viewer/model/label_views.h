@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What each pixel shows, as colours: the labels of a session in place of its picture.
+/// Labels of each pixel as colours, in place of the picture of a session.
 #pragma once
 
 #include <array>
@@ -15,12 +15,13 @@ inline constexpr std::array<std::string_view, 6> label_views{"instances", "mater
                                                              "depth",     "normals",   "thickness"};
 bool is_label_view(std::string_view name);
 
-/// Returns four values per pixel. Nothing is black; numbers have colours far from each other, regions those
-/// of "no skin" grey, "skin" skin, nose and ear; what is near is bright; normals are 0.5 + n/2; thickness has
-/// the colours of thickness_legend(), and what is no skin is grey. Empty: no such view, or no labels.
+/// Returns four values per pixel. Nothing is black; numbers have colours far from each other. Regions have
+/// colours of skin, nose and ear, and grey where there is no skin. Near surfaces are bright; normals are 0.5
+/// + n/2. Thickness has the colours of thickness_legend(), and grey where there is no skin. Empty: no such
+/// view, or no labels.
 std::vector<std::uint8_t> label_picture(const Painted& painted, std::string_view view);
 
-/// What a colour of the view "thickness" means.
+/// Meaning of a colour of the view "thickness".
 struct LegendMark {
   float mm = 0;
   std::array<float, 3> colour{};

@@ -39,7 +39,7 @@ bool may_matter(const fs::path& file) {
   return is_shader(file) || file.extension() == ".glsl" || file.extension() == ".h";
 }
 
-// What a file includes in quotes: beside it, or from the folder.
+// Returns the files that a file includes in quotes: beside it, or from the folder.
 std::vector<fs::path> includes_of(const fs::path& file, const fs::path& folder) {
   std::vector<fs::path> found;
   std::ifstream in(file);
@@ -151,7 +151,7 @@ bool ShaderFolder::refresh(const std::atomic<bool>& stop) {
     const fs::path& file = entry.first;
     const std::string name = shader_name(file);
     if (!is_shader(file) || techniques::find_any_shader(name).empty()) continue;
-    // What was wrong may be right now, if it waited for a file that was not there.
+    // A faulty shader may be right now, if it waited for a file that was not there.
     if (!errors_.contains(name) && !depends_on(file, changed)) continue;
     compile(file, stop);
     any = true;

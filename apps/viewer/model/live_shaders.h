@@ -37,7 +37,7 @@ class ShaderFolder {
 
   /// The last set that was without errors; what is as it was built is not in it.
   std::shared_ptr<const ShaderSet> shaders() const { return shaders_; }
-  /// What the compiler says, or how an interface differs; empty: nothing is wrong.
+  /// Messages of the compiler, or differences of an interface; empty: nothing is wrong.
   std::string errors() const;
 
  private:

@@ -55,7 +55,7 @@ OpenedFile read_settings(const Document& document, const std::filesystem::path& 
   const std::string what = "settings " + path.filename().string();
   const auto take = [render = file.render](Document& changed) { changed.settings = render; };
 
-  // How files are read needs them read again, of a scene that is still the one of the file.
+  // Options of reading need the files read again, of a scene that is still the one of the file.
   const Opened& opened = *document.opened;
   const bool is_as_opened = opened.words.size() == 1 && same_contents(opened.scene, document.scene);
   if (to_json({.render = {}, .scene = file.scene, .reference = {}}) ==

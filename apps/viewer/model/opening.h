@@ -10,7 +10,7 @@
 
 namespace dermis::viewer {
 
-/// What a file changes, once it has been read.
+/// Changes by a file, once it has been read.
 struct OpenedFile {
   std::string what;                     ///< names the change, for undo
   std::function<void(Document&)> into;  ///< puts it into the document as it is by then

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How large a picture is drawn while something changes, so that it follows the hand on a slow device too.
+/// Size of a picture while something changes, so that it follows the hand on a slow device too.
 #pragma once
 
 #include <array>

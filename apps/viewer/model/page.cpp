@@ -16,7 +16,7 @@ std::vector<Page> pages_of(const std::vector<std::string>& scene_words,
                            const std::vector<std::string>& options, const std::string& device) {
   const std::string scene = scene_words.empty() ? "built-in" : scene_words.front();
   std::vector<std::string> compare{"compare", "--scene", scene, "--techniques", "all", "--device", device};
-  // What compare calls otherwise, or decides itself, is left out.
+  // Options that compare calls otherwise, or decides itself, are left out.
   for (std::size_t i = 0; i + 1 < options.size(); ++i)
     for (const char* same : {"--eye", "--target", "--fov", "--map-size", "--shadow-size", "--environment"})
       if (options[i] == same) {

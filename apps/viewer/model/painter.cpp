@@ -168,7 +168,7 @@ void Painter::serve(Easel& easel, const Job& job) {
       tell([&](PainterNews& news) { news.renewed = true; });
     }
   } catch (const Cancelled&) {
-    // What A is compared with is drawn when A has been.
+    // B is drawn when A has been.
     const std::lock_guard lock(mutex_);
     if (wish && wish->is_b && !wish_b_) wish_b_ = wish;
   } catch (const InternalError& mistake) {

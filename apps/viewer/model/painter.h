@@ -63,12 +63,12 @@ struct SaveWish {
   std::filesystem::path file;
 };
 
-/// What the thread has to say.
+/// News of the thread.
 struct PainterNews {
   std::shared_ptr<const Painted> painted{}, painted_b{};  ///< newest since the last call, or null
   std::vector<std::string> saved{};                       ///< files that were written
   std::vector<std::string> errors{};                      ///< of wishes and of files, one line each
-  std::vector<std::string> notes{};                       ///< what the library said
+  std::vector<std::string> notes{};                       ///< messages of the library
   bool renewed = false;                                   ///< the device was lost, and another one draws
 };
 
@@ -95,7 +95,7 @@ class Painter {
   /// Forgets a picture of A that is not drawn yet.
   void drop();
   void save(SaveWish wish);
-  /// What comes after is drawn with these in the place of dermis's own.
+  /// Later pictures are drawn with these in the place of dermis's own.
   void use_shaders(std::shared_ptr<const ShaderSet> shaders);
   PainterNews take_news();
 
@@ -123,7 +123,7 @@ class Painter {
 
   Options options_;
   std::atomic<bool> stop_ = false;
-  std::atomic<bool> cancel_ = false;  ///< what is being prepared: a newer wish waits
+  std::atomic<bool> cancel_ = false;  ///< ends the preparation: a newer wish waits
   bool may_cancel_ = false;           ///< a picture at rest is being drawn
   mutable std::mutex mutex_;
   std::condition_variable wake_, ended_;

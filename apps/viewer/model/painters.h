@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Who draws the window's pictures. Where a picture takes seconds, one that was begun cannot be ended, so
-/// there pictures that follow the hand have a thread and a device of their own, before those at rest.
+/// Threads that draw the window's pictures. Where a picture takes seconds, one that was begun cannot be
+/// ended. So there pictures that follow the hand have a thread and a device of their own, before those at
+/// rest.
 #pragma once
 
 #include <optional>

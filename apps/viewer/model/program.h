@@ -10,7 +10,7 @@
 
 namespace dermis::viewer {
 
-/// Runs a program until it ends, and looks after it every so often. What it says goes to the file `said`.
+/// Runs a program until it ends, and looks after it every so often. Its output goes to the file `said`.
 /// Returns whether its exit status was 0. Throws InputError: it cannot be started; Cancelled: `stop` was set
 /// (may be null), and the program was told to end.
 bool run_program(const std::vector<std::string>& words, const std::string& said,

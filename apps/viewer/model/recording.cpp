@@ -16,7 +16,7 @@
 namespace dermis::viewer {
 namespace {
 
-// How far above its target the camera stands, whole degrees.
+// Returns the elevation of the camera above its target, whole degrees.
 double elevation_deg(const Document& document) {
   const CameraPlace place = camera_place(document);
   const double up = place.eye_m[1] - place.target_m[1],

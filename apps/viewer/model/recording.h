@@ -12,7 +12,7 @@ namespace dermis::viewer {
 
 enum class RecordedMotion { turntable, lamp, clip };
 
-/// What is recorded, and how. Ranges are those of `dermis sequence`, which refuses what lies outside.
+/// Options of a recording. Ranges are those of `dermis sequence`, which refuses what lies outside.
 struct Recording {
   RecordedMotion motion = RecordedMotion::turntable;
   double fps = 30;

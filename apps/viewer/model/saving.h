@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What was made, as files that the command line takes.
+/// Saves documents as files that the command line takes.
 #pragma once
 
 #include <filesystem>
@@ -25,8 +25,8 @@ struct SavedScene {
   std::filesystem::path file;
 };
 
-/// Returns what names the scene of the document on a command line: what was opened, if nothing was changed
-/// since, else the scene file that holds it; none: it is in no file yet.
+/// Returns the words that name the scene of the document on a command line: those that opened it, if nothing
+/// was changed since, else the scene file. None: it is in no file yet.
 std::optional<std::vector<std::string>> scene_words(const Document& document,
                                                     const std::optional<SavedScene>& saved);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What else than the picture can be shown, and what is known of one pixel.
+/// Views other than the picture, and the values of one pixel.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ inline constexpr const char* first_shown = "picture";
 /// Returns the values of output.show, from the row of the setting: those with a number, once for each of it.
 std::vector<std::string> shown_map_names(int gaussians, int lights);
 
-/// What a picture and its labels say of a pixel.
+/// Values of a picture and its labels at a pixel.
 struct PixelValues {
   int x = 0, y = 0;
   std::array<float, 4> linear{};  ///< radiance with exposure, and the share of skin

@@ -24,7 +24,7 @@ constexpr int radii = 120;
 
 std::string rgb(const std::array<double, 3>& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
-// What another engine describes may bring its own profile, for which no model is chosen.
+// A description of another engine may bring its own profile, for which no model is chosen.
 bool wants_photons(const SkinSource& source) {
   if (source.kind == SkinKind::foreign) return false;
   return source.options.model == ProfileModel::automatic || source.options.model == ProfileModel::monte_carlo;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a profile is made of, as the skin panel offers it: the sources of `dermis profile`, and Gaussians
-/// drawn by hand.
+/// Source of a profile, as the skin panel offers it: those of `dermis profile`, and Gaussians drawn by hand.
 #pragma once
 
 #include <string>

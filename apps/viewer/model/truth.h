@@ -15,7 +15,7 @@
 
 namespace dermis::viewer {
 
-/// How far the truth is.
+/// Progress of the truth.
 struct TruthStep {
   ReferencePicture reference;
   std::vector<PictureRegion> regions;  ///< "skin" first

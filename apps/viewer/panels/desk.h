@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What panels see, and what they ask for. A panel reads the document as it is, edits a copy, and says what
-/// the change is called; the app does the rest.
+/// State that panels see, and their requests. A panel reads the document as it is, edits a copy, and says
+/// what the change is called; the app does the rest.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 
 namespace dermis::viewer {
 
-/// What A is compared with.
+/// The comparison of A with B.
 struct CompareState {
   CompareMode mode = CompareMode::off;
   bool truth = false;              ///< B is ground truth
@@ -35,7 +35,7 @@ struct CompareState {
 
 inline constexpr double blink_s = 0.6;  ///< of A, and of B
 
-/// How the window is used: nothing of it reaches a file.
+/// State of the window: nothing of it reaches a file.
 struct ViewState {
   bool panels = true;              ///< shown
   bool fixed_size = false;         ///< pictures have the size of the settings, not that of the window
@@ -45,7 +45,7 @@ struct ViewState {
   std::string save_name = "skin";
   Recording recording{};
   bool records = false;   ///< a sequence is being drawn
-  std::string message{};  ///< what was done, or went wrong, last
+  std::string message{};  ///< of the last action or error
   bool is_error = false;
   std::vector<std::string> notes{};  ///< of the library, newest last
   std::string command_line{};        ///< copied last
@@ -59,7 +59,7 @@ struct ViewState {
   std::string exported{};                         ///< skin in another system's parameters, shown last
 };
 
-/// What the app does after a frame of the panels.
+/// Requests to the app after a frame of the panels.
 struct Requests {
   std::vector<std::string> open{};
   bool undo = false, redo = false, frame = false;
@@ -73,11 +73,11 @@ struct Desk {
   const Document& now;
   const HeadSphere& sphere;
   const Painted* shown;  ///< the picture in the window, or null
-  const MadeSkin* skin;  ///< what the skin of the document was made into last, or null
+  const MadeSkin* skin;  ///< the last result for the skin of the document, or null
   const std::string& skin_doing;
   const Painted* shown_b;         ///< B in the same view, or null: it has not come yet
   const Comparison* comparison;   ///< of the two, or null
-  const std::string& truth_text;  ///< how far the truth is
+  const std::string& truth_text;  ///< progress of the truth
   int truth_divisor;
   ViewState& view;
   Requests& requests;

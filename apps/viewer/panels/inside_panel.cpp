@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What a picture is made of: its maps, what each pass costs, what lies under the pointer.
+// SPDX-License-Identifier: MIT Parts of a picture: its maps, the cost of each pass, values under the pointer.
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -15,7 +15,7 @@ struct PictureArea {
   int width = 0, height = 0;
 };
 
-/// What is shown before there is a scene.
+/// Shows the window before there is a scene.
 void loading_layout(const std::string& doing);
 
 /// Draws all, and takes the keys. `doing`: what takes long now, or empty.

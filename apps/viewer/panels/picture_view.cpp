@@ -139,7 +139,7 @@ void draw_slider(Desk& desk, const Frame& frame, ImVec2 high) {
   corner_text({high.x - 22, high.y - 26}, "B");
 }
 
-// What the comparison shows; false: A alone.
+// Draws the comparison; false: A alone.
 bool draw_compared(Desk& desk, const Frame& frame, ImVec2 high) {
   const CompareState& compare = desk.view.compare;
   if (!compare.is_on() || !desk.shown_b) return false;
@@ -181,7 +181,7 @@ void draw_scale(const Desk& desk, const Frame& frame, ImVec2 high) {
   corner_text({left.x + 4, left.y - ImGui::GetFontSize() - 6}, fmt::format("{:g} mm", length_mm));
 }
 
-// What the compiler says, over the picture that was drawn before.
+// Draws messages of the compiler over the picture of before.
 void draw_shader_errors(const std::string& errors, const Frame& frame) {
   const float margin = ImGui::GetFontSize(), width = frame.size.x - 2 * margin;
   if (width < margin) return;

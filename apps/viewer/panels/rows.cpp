@@ -113,7 +113,7 @@ bool switch_row(const std::string& label, const About& about, bool& value) {
 
 bool text_row(const std::string& label, const About& about, std::string& value,
               const std::vector<std::string>& choices) {
-  // What is being typed, until it is finished.
+  // Text that is being typed, until it is finished.
   static std::map<ImGuiID, std::string> typed;
   ImGui::PushID(label.c_str());
   const ImGuiID id = ImGui::GetID("text");

@@ -111,7 +111,7 @@ struct Row {
     ImGui::PopID();
     return changed;
   }
-  // What an optional begins with: 0 if that is in range.
+  // Returns the first value of an optional: 0 if that is in range.
   template <class Value>
   static Value first_value(const About& about) {
     if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)

@@ -1,5 +1,4 @@
-// SPDX-License-Identifier: MIT
-// What was made, as files.
+// SPDX-License-Identifier: MIT Saves documents as files.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

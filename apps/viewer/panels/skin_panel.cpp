@@ -133,7 +133,7 @@ void figures(const Desk& desk) {
   const ScatterProfile& profile = desk.skin->profile;
   ImGui::TextWrapped("%s%s", desk.skin->model.c_str(), desk.skin->is_quick ? " (a better one follows)" : "");
   if (!desk.skin_doing.empty()) ImGui::TextDisabled("%s", desk.skin_doing.c_str());
-  // What a profile does not know is zero.
+  // Numbers that a profile does not know are zero.
   const auto line = [](const char* what, const std::array<double, 3>& v, const char* unit) {
     if (v == std::array<double, 3>{}) return;
     ImGui::Text("%s", what);

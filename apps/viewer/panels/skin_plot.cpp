@@ -32,8 +32,8 @@ struct Axes {
   }
 };
 
-// Light that leaves per step of ln r: on an axis of ln r the area below the curve is what skin reflects, so a
-// wide Gaussian is seen as large as it counts.
+// Light that leaves per step of ln r. On an axis of ln r the area below the curve is what skin reflects, so a
+// wide Gaussian looks as large as it counts.
 double per_ln_r(double r_mm, double reflectance_per_mm2) {
   return 2 * std::numbers::pi * r_mm * r_mm * reflectance_per_mm2;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The device that shows the window: instance, surface, one queue that draws and presents. What renders heads
-/// is the library's own device; the two share nothing but pixels.
+/// The device that shows the window: instance, surface, one queue that draws and presents. The library
+/// renders heads on its own device; the two share nothing but pixels.
 #pragma once
 
 #include <GLFW/glfw3.h>
@@ -51,7 +51,7 @@ class PresentDevice {
   HostBuffer make_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage) const;
 
  private:
-  /// What everything else depends on: destroyed last, also where a constructor throws.
+  /// Handles that all else depends on: destroyed last, also where a constructor throws.
   struct Handles {
     VkInstance instance = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;

@@ -117,7 +117,7 @@ bool Presenter::end() {
     lost_at_ = now;
     make();
   }
-  has_news_ = true;  // what was not shown is to be
+  has_news_ = true;  // a frame that was not shown is to be
   return false;
 }
 

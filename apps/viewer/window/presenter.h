@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What shows frames of ImGui in a window: a device, a swapchain, what draws the lists. Made anew when the
+/// Shows frames of ImGui in a window: a device, a swapchain, and a renderer of the lists. Made anew when the
 /// surface or the device is lost.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How panels look.
+/// Look of panels.
 #pragma once
 
 namespace dermis::viewer {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 460
 
-// What ImGui's lists hold: positions in the window, coordinates in a texture, colours of the display.
+// Vertices of ImGui's lists: positions in the window, coordinates in a texture, colours of the display.
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 uv;
 layout(location = 2) in vec4 colour;

@@ -67,9 +67,9 @@ Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
   for (std::size_t k = 0; k < lobe.size(); ++k) out[4 + k] = static_cast<float>(lobe[k]);
   if (sums.unoccluded_count() == sums.ray_count()) return out;
 
-  // Transfer Int V cos Y = pi / N Sum V Y over N cosine-weighted rays. As a control variate serves the same
-  // integral without V, whose exact value is the cosine lobe: its error is subtracted with the visible share
-  // as weight, so that no noise is left where nothing occludes, and none is added where all is occluded.
+  // Transfer Int V cos Y = pi / N Sum V Y over N cosine-weighted rays. The control variate is the same
+  // integral without V, whose exact value is the cosine lobe. Its error is subtracted with the visible share
+  // as weight. So no noise is left where nothing occludes, and none is added where all is occluded.
   const double share = static_cast<double>(sums.unoccluded_count()) / sums.ray_count(),
                each = std::numbers::pi / sums.ray_count();
   Harmonics all, open;

@@ -65,7 +65,7 @@ void write(MemoryOutput& stream, const ImageF& picture, Imf::PixelType type, con
   file.writePixels(picture.height);
 }
 
-// What the library says becomes an error that names the file.
+// Errors of the library become errors that name the file.
 template <class Write>
 std::vector<std::byte> encoded(const std::string& where, const Write& write) {
   MemoryOutput stream;

@@ -25,8 +25,8 @@ std::string printable(std::string_view text);
 void check_size(std::int64_t width, std::int64_t height, const DecodeLimits& limits,
                 const std::string& where);
 
-/// Throws InputError if the file is too short for its pixels even at the best compression ratio, so that a
-/// few bytes that claim a huge picture are rejected before memory is taken. least_bytes: size of the smallest
+/// Throws InputError if the file is too short for its pixels even at the best compression ratio. So a few
+/// bytes that claim a huge picture are rejected before memory is taken. least_bytes: size of the smallest
 /// such file.
 void check_plausible(Bytes bytes, std::uint64_t least_bytes, std::int64_t width, std::int64_t height,
                      const std::string& where);

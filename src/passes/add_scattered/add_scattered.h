@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Adds light that was blurred in screen space to the entries of each pixel: the rest, which ShadeSplit left
-/// there, plus the blurred light times what of it leaves the skin.
+/// Adds light that was blurred in screen space to the entries of each pixel. To the rest, which ShadeSplit
+/// left there, comes the blurred light times the share that leaves the skin.
 #pragma once
 
 #include "passes/compute_pass.h"

@@ -49,9 +49,9 @@ struct OnLevel {
   float sigma = 0;  // pixels of that picture
 };
 
-// Returns the smallest picture on which a Gaussian has a sigma of at least 2.5 pixels, or that of half size;
-// what it loses between such pixels is under 1 %. What a smaller picture adds to the variance is taken off:
-// that of averaging r x r pixels into one, (1 - 1/r^2) / 12, and twice that for reading between its pixels.
+// Returns the smallest picture on which a Gaussian has a sigma of at least 2.5 pixels, or that of half size.
+// Its loss between such pixels is under 1 %. The variance that a smaller picture adds is taken off: (1 -
+// 1/r^2) / 12 for averaging r x r pixels into one, and twice that for reading between its pixels.
 OnLevel level_of(float variance) {
   OnLevel level;
   for (float r = 2;; r *= 2, ++level.halvings) {

@@ -19,7 +19,7 @@ layout(binding = 5, scalar) readonly buffer TileCounts { uint tile_counts[]; };
 
 #include "passes/kernel_row.glsl"
 
-// The light is a storage image, and coordinates are held inside in place of a branch: reading it through a
+// The light is a storage image, and coordinates are held inside in place of a branch. Reading it through a
 // sampler, whose level may differ per invocation, takes twice as long on the software driver
 // (docs/notes/performance.md).
 

@@ -19,7 +19,7 @@ std::uint32_t first_float(const DeformStream& stream) {
 void Deform::record(gpu::Cmd& cmd, const gpu::Buffer& vertices, const gpu::Buffer& sources,
                     std::uint32_t count, const DeformStreams& streams) const {
   if (count == 0) return;
-  // What is not given is not read, but must be bound.
+  // Streams that are not given are not read, but must be bound.
   const auto binding = [&](const DeformStream& stream) {
     if (!stream.buffer) return gpu::BufferBinding{&sources};
     const std::uint64_t before = stream.offset % alignment;

@@ -81,7 +81,7 @@ vec3 gathered(ivec2 at, vec3 middle, uint mesh) {
     const ivec2 p = at + ivec2(floor(pixels + 0.5));
     if (any(greaterThanEqual(uvec2(p) - io.low, io.size))) continue;
     if (head_of(imageLoad(surface_of_skin, p).x) != head) continue;
-    // The point that was meant, not that of the pixel: near the middle many taps share a pixel, and narrow
+    // The point of the tap, not that of the pixel. Near the middle many taps share a pixel, and narrow
     // Gaussians would weigh too much on tilted skin if these had no depth.
     const float deeper_mm =
         imageLoad(depth_of_skin, p).r - depth_mm + dot(deeper_per_pixel, pixels - vec2(p - at));

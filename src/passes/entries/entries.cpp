@@ -8,8 +8,8 @@
 namespace dermis::passes {
 namespace {
 
-// How depth becomes a distance along the view, from the rows of the camera's matrix: clip.w is that distance
-// (or 1, if the camera is orthographic), and clip.z is linear in it.
+// From depth to a distance along the view, by the rows of the camera's matrix. clip.w is that distance (or 1,
+// if the camera is orthographic), and clip.z is linear in it.
 io::EntriesIo entries_io(const EntryBuffers& buffers, const FrameData& frame) {
   const io::CameraIo& camera = frame.camera;
   const glm::mat4 rows = glm::transpose(camera.clip_from_world);

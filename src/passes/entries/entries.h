@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What a picture has to shade of the skin, listed by part, and how the shaded entries become the picture.
-/// Based on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
+/// Entries of skin that a picture has to shade, listed by part, and the picture made of them. Based on:
+/// Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
 #pragma once
 
 #include "passes/compute_pass.h"

@@ -21,7 +21,7 @@ void main() {
   const ivec2 at = ivec2(io.low + gl_GlobalInvocationID.xy);
   const uint samples = samples_in(imageLoad(samples_of_pixels, at).x);
 
-  // What of each sample is seen of the skin.
+  // Share of each sample through which the skin is seen.
   vec4 sum = vec4(0.0), seen = vec4(1.0);
 #if LAYER != 0
   for (int s = 0; s < sample_count; ++s) {

@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Passes over the lit tiles of a square find here the triangle that a texel shows, which the map of texels
-// names (passes/texel_map), and its vertices' values at the centre of the texel. Needs scene_io.h;
-// COMPUTE_SHADING is defined.
+// SPDX-License-Identifier: MIT Passes over the lit tiles of a square find here the triangle of a texel, which
+// the map of texels names (passes/texel_map). They find its vertices' values at the centre of the texel, too.
+// Needs scene_io.h; COMPUTE_SHADING is defined.
 #include "passes/irradiance/texels_io.h"
 #include "shaders/tile_list.glsl"
 #include "shaders/vertex_pull.glsl"

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Turns pixels that hold several labels into planes that hold one each, as the caller of a session reads
-// them: in the order of their bits; the region, the last, has a byte per pixel.
+// SPDX-License-Identifier: MIT Turns pixels that hold several labels into planes that hold one each, as the
+// caller of a session reads them. Planes follow the order of the bits; the region, the last, has a byte per
+// pixel.
 #version 460
 #include "passes/labels/label_planes_io.h"
 #include "passes/labels/labels_io.h"

@@ -22,7 +22,7 @@ std::uint32_t words_of(std::uint32_t labels) {
   return words;
 }
 
-// What a pixel has where nothing is: the same bits as words.
+// Labels of a pixel where nothing is: the same bits as words.
 std::array<float, 4 * Labels::most_targets> nothing(std::uint32_t labels) {
   std::array<float, 4 * Labels::most_targets> words{};
   if ((labels & LABEL_DEPTH) != 0)

@@ -20,7 +20,7 @@ static_assert(std::accumulate(label_words.begin(), label_words.end(), 0u) == LAB
 
 class Labels {
  public:
-  static constexpr std::size_t most_targets = 4;  ///< what every device draws to at once
+  static constexpr std::size_t most_targets = 4;  ///< every device draws to so many at once
   struct Settings {
     std::uint32_t width = 0, height = 0;  ///< of the picture, pixels
     std::uint32_t labels = 0;             ///< LABEL_... bits of those that are drawn, at least one

@@ -11,7 +11,7 @@ struct LabelsIo {
   vec2 size;       // of the picture, pixels
 };
 
-// How an instance stood in the frame before.
+// An instance as it stood in the frame before.
 struct LabelsBeforeIo {
   mat4 clip_from_world;  // of that frame's camera
   InstanceIo instance;
@@ -20,14 +20,14 @@ struct LabelsBeforeIo {
 
 // Of a vertex of skin.
 struct LabelVertexIo {
-  vec2 part;  // how far inside nose and ear
+  vec2 part;  // distance inside nose and ear
   float thickness_mm;
 };
 
 DERMIS_IO_END
 
 // Bits of specialisation constant `labels`. The pass writes the words of those that are set one after the
-// other, in this order, four to a target: floats as their bits; zeros where nothing is, but an infinite
+// other, in this order, four to a target, floats as their bits. Zeros where nothing is, but an infinite
 // depth.
 #define LABEL_NORMAL 1u     // 3 words: unit, world, of the side that is seen
 #define LABEL_UV 2u         // 2

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How much of each pixel no surface covers.
+/// Share of each pixel that no surface covers.
 #pragma once
 
 #include "passes/compute_pass.h"

@@ -26,7 +26,7 @@ layout(binding = 8, rgba16f) uniform image2D sum_of_light;
 #include "passes/screen_surface.glsl"
 #include "passes/screen_tangents.glsl"
 
-// What a pixel gathers for: its skin, and the light that taps take where they do not find any of it.
+// The pixel that gathers: its skin, and the light that taps take where they find none of this skin.
 struct Middle {
   ivec2 at;
   vec3 light;

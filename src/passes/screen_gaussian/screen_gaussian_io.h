@@ -2,7 +2,7 @@
 #ifndef DERMIS_PASSES_SCREEN_GAUSSIAN_IO_H
 #define DERMIS_PASSES_SCREEN_GAUSSIAN_IO_H
 #include "passes/screen_surface_io.h"
-// The rule of the authors' demo, specialisation constant `published`: the width of a kernel is divided by the
+// The rule of the authors' demo, specialisation constant `published`. The width of a kernel is divided by the
 // distance plus a multiple of the depth gradient per pixel, which is cut. Their level of 40 makes the kernel
 // as wide as it should be at this scale.
 #define GAUSSIANS_MM_PER_UNIT 153.1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 layout(constant_id = 18) const bool shape_aware = false;  // the profile has laws of shape
 
-// How unwrap coordinates change over a triangle, per metre of the world.
+// Change of unwrap coordinates over a triangle, per metre of the world.
 struct AlongSkin {
   vec3 u, v;
 };

@@ -24,7 +24,7 @@ struct Entry {
   ivec3 at;              // pixel, and which of its entries
   uint triangle;         // of its part
   uint samples;          // as bits
-  uint second_triangle;  // which the last sample shows, if it is the only entry of the pixel
+  uint second_triangle;  // that of the last sample, if this is the only entry of the pixel
 };
 
 // Returns whether a surface covers all of its pixel.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Computes the light of the entries of one skin mesh of one head: see skin_shading.h and
-/// passes/entries/entries.h. An entry that has a part of its pixel is shaded once, where the triangle is
-/// seen that most of its samples show: at the middle of its samples, or near it. One that has all of it is
-/// shaded at two points, and has their mean. Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
+/// passes/entries/entries.h. An entry that has a part of its pixel is shaded once, on the triangle that most
+/// of its samples show: at the middle of these samples, or near it. One that has all of it is shaded at two
+/// points, and has their mean. Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
 #pragma once
 
 #include "passes/entry_buffers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What passes have in common that shade the entries of one skin mesh of one head.
+/// Common part of the passes that shade the entries of one skin mesh of one head.
 #pragma once
 
 #include <span>

@@ -95,7 +95,7 @@ vec4 beside_gap(vec4 uv, vec4 colour, vec4 dx, vec4 dy) {
   return uv;
 }
 
-// What an entry shows.
+// The surface of an entry.
 struct SeenSkin {
   ShadingPoint s;
   OnMap on;

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
-// Shades the entries of a part as skin_radiance.glsl with no terms, but light that enters has scattered over
-// a ball as bent as the skin here, and over the edges of shadows: tables, no blur. THROUGH: with transmitted
-// light. Based on: [Pen11] and [FW14] of gaussians/pre_integrated.h.
+// SPDX-License-Identifier: MIT Shades the entries of a part as skin_radiance.glsl with no terms, but by
+// tables in place of a blur. Light that enters has scattered over a ball as bent as the skin here, and over
+// the edges of shadows. THROUGH: with transmitted light. Based on: [Pen11] and [FW14] of
+// gaussians/pre_integrated.h.
 #include "passes/shade/listed_entry.glsl"
 #include "passes/shade/pre_integrated_io.h"
 layout(binding = 19, scalar) readonly buffer Curvature { float curvature[]; };
@@ -16,7 +16,7 @@ layout(binding = 16) uniform sampler2D lit_table;
 layout(binding = 17) uniform sampler2D edge_table;
 layout(binding = 18, scalar) uniform PreIntegrated { PreIntegratedIo scatter; };
 
-// What the tables are asked with, beside lights.
+// Arguments of the tables, beside lights.
 struct Bent {
   vec3 sharp, blurred;  // mapped normals; light of red scatters furthest
   float curvature_per_mm;

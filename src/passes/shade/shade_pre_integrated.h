@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// As Shade without terms, but with scattering integrated beforehand: the light of each pixel comes from
-/// tables, by how much the skin is bent there and how far it is from the edge of a shadow. Based on: [Pen11]
-/// and [FW14] of gaussians/pre_integrated.h
+/// As Shade without terms, but with scattering integrated beforehand. The light of each pixel comes from
+/// tables, over the curvature of the skin and the distance to the edge of a shadow. Based on: [Pen11] and
+/// [FW14] of gaussians/pre_integrated.h
 #pragma once
 
 #include <array>

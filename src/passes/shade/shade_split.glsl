@@ -1,8 +1,7 @@
-// SPDX-License-Identifier: MIT
-// Shades the entries of a part as skin_radiance.glsl with no terms, but in parts: techniques in screen space
-// blur what enters before it leaves. What is blurred goes to images, what is not to the entries. THROUGH:
-// with transmitted light. Based on: [JWS10] Jimenez, Whelan, Sundstedt, Gutierrez: Real-Time Realistic Skin
-// Translucency. CG&A 30(4), 2010
+// SPDX-License-Identifier: MIT Shades the entries of a part as skin_radiance.glsl with no terms, but in
+// parts: techniques in screen space blur what enters before it leaves. Light to be blurred goes to images,
+// the rest to the entries. THROUGH: with transmitted light. Based on: [JWS10] Jimenez, Whelan, Sundstedt,
+// Gutierrez: Real-Time Realistic Skin Translucency. CG&A 30(4), 2010
 #include "passes/shade/listed_entry.glsl"
 #include "passes/screen_surface.glsl"
 #include "shaders/skin_answer.glsl"
@@ -12,9 +11,9 @@
 #endif
 
 struct SplitSkin {
-  vec3 light;    // what is blurred: entered, times the part of the albedo before scattering; radiance
-  vec3 leaving;  // what blurred light is multiplied by
-  vec3 rest;     // what is not blurred: light lit at the pixel, reflection, emission
+  vec3 light;    // to be blurred: entered, times the part of the albedo before scattering; radiance
+  vec3 leaving;  // factor of the blurred light
+  vec3 rest;     // not blurred: light lit at the pixel, reflection, emission
 };
 
 SplitSkin mean_of(SplitSkin a, SplitSkin b) {

@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Light from the skin to the camera: the scattered light of its texels (or, with no terms, the light that
-// enters at the pixel), the part of the albedo that is applied afterwards, two specular lobes, and emission.
-// THROUGH: with transmitted light. Needs `io` (ShadeIo).
+// SPDX-License-Identifier: MIT Light from the skin to the camera: the scattered light of its texels, the part
+// of the albedo that is applied afterwards, two specular lobes, and emission. With no terms, the light that
+// enters at the pixel stands for that of texels. THROUGH: with transmitted light. Needs `io` (ShadeIo).
 #include "shaders/skin_answer.glsl"
 #include "passes/shade/along_skin.glsl"
 #include "shared/gutters_io.h"
@@ -10,7 +9,7 @@
 #include "shaders/skin_through.glsl"
 #endif
 layout(constant_id = 0) const int term_count = 6;
-layout(constant_id = 1) const bool direct = false;  // what the weights lack of 1 is lit per pixel
+layout(constant_id = 1) const bool direct = false;  // the rest of the weights to 1 is lit per pixel
 // One of the terms is the light before any blur, for the narrow terms: no light comes through the body there.
 layout(constant_id = 25) const int entered_term = -1;
 layout(binding = 14) uniform sampler2D light_0;
@@ -28,7 +27,7 @@ layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
 #endif
 
 // Returns the part of a term that is read from the map, 0..1. Texels spread light by half their side (box and
-// bilinear tent: a variance of a quarter): a Gaussian of less than 0.35 texels is nearer to its own width
+// bilinear tent: a variance of a quarter). So a Gaussian of less than 0.35 texels is nearer to its own width
 // without the map, unless the pixel averages as much. The change is slow enough not to show. uv_per_mm:
 // texture coordinates per mm, here.
 float map_share(float sigma_mm, float uv_per_mm) {
@@ -47,9 +46,9 @@ vec2 light_point(vec2 unwrap) {
   return clamp(in_steps, margin, float(io.map_side) - margin) + vec2(map_origin());
 }
 
-// Returns by how much the unwrap coordinates change at which skin reads its light: what leaves towards the
-// eye came up along the refracted ray, from below a place further away from the eye
-// (ShapeLaws::exit_offset_mm). border_mm: of body_shape(). n, to_eye: unit.
+// Returns the offset of the unwrap coordinates at which skin reads its light. Light towards the eye came up
+// along the refracted ray, from below a place further away from the eye (ShapeLaws::exit_offset_mm).
+// border_mm: of body_shape(). n, to_eye: unit.
 vec2 exit_offset(AlongSkin along, float border_mm, vec3 n, vec3 to_eye) {
   // Beside an open border there is no light. Ways along edges are longer than straight ones.
   const float offset_m = min(terms.exit_offset_m, 0.7 * border_mm * terms.m_per_mm);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// How the skin of one mesh of one head answers light at a pixel: the weighted sum of the blurred light,
+/// Answer of the skin of one mesh of one head to light at a pixel: the weighted sum of the blurred light,
 /// albedo, two-lobe specular. With no terms it is the Lambert model with the same light and energy. Common
-/// part of the passes that shade entries.
-/// Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
+/// part of the passes that shade entries. Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
 #pragma once
 
 #include <array>
@@ -25,17 +24,17 @@ struct TermsOnMap {
   double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
 };
 
-/// What of a material decides which code draws its skin: a number below `count`.
+/// Properties of a material that decide which code draws its skin: a number below `count`.
 struct SkinKind {
   bool cut_out = false, emits = false, detailed = false;
   static constexpr std::size_t count = 8;
   constexpr std::size_t index() const { return 4 * std::size_t{cut_out} + 2 * std::size_t{emits} + detailed; }
 };
 
-/// What the plan knows of the skin of one mesh.
+/// The skin of one mesh, as the plan knows it.
 struct SkinLook {
   MapSquare square;
-  /// one per term that maps hold, 0 to 8; none = Lambert. What they lack of 1 is lit at the pixel.
+  /// one per term that maps hold, 0 to 8; none = Lambert. The rest of them to 1 is lit at the pixel.
   std::vector<std::array<float, 3>> weights;
   bool entered = false;       ///< the last weight is that of the light before any blur: MappedTerms
   bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
@@ -46,7 +45,8 @@ struct SkinLook {
   /// some triangles have no chart of the unwrap: they are lit per pixel, without scattering
   bool off_map = false;
   std::bitset<SkinKind::count> kinds = 1;  ///< of the mesh's skin, by index()
-  /// what MappedTerms leaves out is lit at the pixel, and what the map has too few texels for: map_share()
+  /// terms that MappedTerms leaves out are lit at the pixel, and those for which the map has too few texels:
+  /// map_share()
   bool mixes = false;
   /// some light leaves where it entered, for which the weights leave room: it is lit per pixel
   bool unscattered = false;
@@ -74,7 +74,7 @@ struct SkinVariant {
   }
 };
 
-/// What these passes offer to their shaders.
+/// Bindings and variants of the shaders of these passes.
 class SkinShading {
  public:
   SkinShading() = default;

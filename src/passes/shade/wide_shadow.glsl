@@ -61,8 +61,8 @@ float lit_distance_m(LightIo light, Arriving a, ShadingPoint s, float radius_m, 
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy),
              slope = depth_slope(m.from_world, m.clip, s.normal, a.to_light) / size;
-  // What is in shadow has an occluder, and may lie deep in a fold; beside what is lit up to 45 degrees are a
-  // hollow.
+  // Skin in shadow has an occluder, and may lie deep in a fold. Beside lit skin, rises of up to 45 degrees
+  // are a hollow.
   const float rise = lit ? 1.0 : 0.1;
   const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, slope, radius_m, texel_m, rise));
   return lit ? max(wide_m, 2.0 * texel_m) : min(wide_m, -2.0 * texel_m);

@@ -218,7 +218,7 @@ Window perspective_window(const glm::vec3& position_m, const ShadowBounds& bound
   const Window rest = perspective_window(position_m, *bounds.rest);
   const Extent extent = extent_of(bounds.corners_m, rest.view_from_world, on_plane);
 
-  // What has moved far off the axis would have stretched texels.
+  // A body that has moved far off the axis would have stretched texels.
   constexpr float most_off_axis = 0.5f;
   const glm::vec2 off_axis = 0.5f * glm::abs(extent.low + extent.high);
   if (!(extent.nearest_m > 0) || std::max(off_axis.x, off_axis.y) > most_off_axis)

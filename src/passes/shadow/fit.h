@@ -17,7 +17,7 @@ struct ShadowFit {
   float texel = 0;
 };
 
-/// What casts a shadow, in the world.
+/// A body that casts a shadow, in the world.
 struct ShadowBounds {
   scene::BoundingSphere sphere;
   /// Of a convex body that holds all of it, such as scene::enclosing_corners(); none: only the sphere is
@@ -28,9 +28,9 @@ struct ShadowBounds {
 };
 
 /// Returns one layer that holds what casts a shadow, as tight as corners or sphere say, for a light outside
-/// the sphere; six layers for a light inside. map_size in texels. What moves has its texels where those of
-/// its rest lie, with sides by steps of 4.4 %: from frame to frame the map shifts by whole texels, so that
-/// edges of shadows do not crawl, and seldom changes its size.
+/// the sphere; six layers for a light inside. map_size in texels. A body that moves has its texels where
+/// those of its rest lie, with sides by steps of 4.4 %. From frame to frame the map shifts by whole texels,
+/// and seldom changes its size, so that edges of shadows do not crawl.
 ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size);
 
 }  // namespace dermis::passes

@@ -1,9 +1,8 @@
-// SPDX-License-Identifier: MIT
-// The part of the light on this texel's surface that enters the skin: albedo^mix, stored as its square root,
-// because eight bits then hold dark skin better. Nothing enters other surfaces, nor the back of skin: what
-// light meets first there is the inside of an open mesh, such as a bust or a mask, and no body lies behind
-// it. Cut-out parts are skipped. Alpha 1 marks shaded texels; a target of two channels has alpha in its
-// second.
+// SPDX-License-Identifier: MIT The part of the light on this texel's surface that enters the skin:
+// albedo^mix, stored as its square root, because eight bits then hold dark skin better. Nothing enters other
+// surfaces, nor the back of skin. There light first meets the inside of an open mesh, such as a bust or a
+// mask, and no body lies behind it. Cut-out parts are skipped. Alpha 1 marks shaded texels; a target of two
+// channels has alpha in its second.
 #version 460
 #include "shared/scene_io.h"
 #include "passes/shadow/shadow_io.h"

@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Marks the tiles in which light of seen tiles continues beyond a seam, and those from which texels of seen
-// tiles take theirs that have nothing of their own chart to repeat. Seen tiles are not marked anew, so the
-// order of invocations does not matter.
+// SPDX-License-Identifier: MIT Marks the tiles in which light of seen tiles continues beyond a seam. Also
+// those that lend light to texels of seen tiles with nothing of their own chart to repeat. Seen tiles are not
+// marked anew, so the order of invocations does not matter.
 #version 460
 #include "passes/tiles/tiles_io.h"
 #include "shaders/tile_list.glsl"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Finds the light of the sky on skin that has moved: what each point saw of the sky as its asset was loaded
-/// turns with it, and the sky stays. What else the pose hides or opens is not found.
-/// Based on: [SKS02] Sloan, Kautz, Snyder: Precomputed Radiance Transfer. SIGGRAPH 2002 (sec. 5: rigid motion
-/// of objects turns the light into their coordinates; here each point has its own)
+/// turns with it, and the sky stays. Occluders that the pose moves are not found anew. Based on: [SKS02]
+/// Sloan, Kautz, Snyder: Precomputed Radiance Transfer. SIGGRAPH 2002 (sec. 5: rigid motion of objects turns
+/// the light into their coordinates; here each point has its own)
 #pragma once
 
 #include "frame/graph.h"

@@ -90,7 +90,7 @@ std::vector<int> nodes_of(const AssetArrays& given) {
   return nodes;
 }
 
-/// What place() finds out about the attributes of each mesh.
+/// Usable attributes of each mesh, found by place().
 struct Attributes {
   std::vector<bool> tangents;  ///< usable
   std::vector<std::array<bool, 2>> uv;

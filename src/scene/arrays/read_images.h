@@ -10,7 +10,7 @@
 namespace dermis::scene::arrays {
 
 /// Copies the images that the scene's materials use and points the maps at Scene::images, as decode_images()
-/// does for a file: over the budget (of map_bytes()) the largest are halved, with a note. Images have passed
+/// does for a file. Over the budget (of map_bytes()) the largest are halved, with a note. Images have passed
 /// arrays/check.h. Throws InputError if they cannot fit, or if memory runs out.
 void read_images(const AssetArrays& arrays, std::uint64_t budget_bytes, Scene& scene);
 

@@ -25,7 +25,7 @@ namespace {
 // The most that decoders may hold at a time beside the pictures that they return.
 constexpr std::uint64_t passing_limit_bytes = 1'000'000'000;
 
-/// What is known of a picture before it is decoded.
+/// A picture before it is decoded.
 struct Header {
   image::PictureHeader picture;
   PictureKey key;
@@ -99,7 +99,7 @@ void leave_out(const Document& document, int source, bool needed, const std::str
                 fault, "the maps that it is for are left out");
 }
 
-/// What is known of the pictures of a scene, each once.
+/// The pictures of a scene, each once.
 struct Pictures {
   std::map<int, Header> headers;  ///< by source
   std::set<int> needed;           ///< sources
@@ -112,7 +112,7 @@ Pictures read_headers(const Document& document, Bytes& bytes, const image::Decod
   const std::set<int> needed = needed_pictures(scene);
   Pictures pictures;
   std::map<PictureKey, int> by_bytes;
-  std::map<ImagePlace, int> by_place;  // what is named twice is read once
+  std::map<ImagePlace, int> by_place;  // pictures named twice are read once
   std::map<int, int> first;
   const auto read = [&](int source) {
     const EncodedImage encoded = bytes.image(source);

@@ -44,7 +44,7 @@ std::vector<std::string> names_in(const Value& root, const char* key) {
   return names;
 }
 
-/// Returns whether a picture without an extension is one that somebody wants, though the file requires it: it
+/// Returns whether a picture without an extension is one that somebody wants, though the file requires it. It
 /// changes materials that are drawn in some way without it, or nothing that is seen.
 bool is_dispensable(std::string_view name) {
   constexpr std::array<std::string_view, 4> prefixes{"KHR_materials_", "EXT_materials_", "KHR_xmp", "VRM"};
@@ -55,7 +55,7 @@ bool is_dispensable(std::string_view name) {
          std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// What `{}` stands for takes half a kilobyte as a node, and over one as a material.
+// A `{}` takes half a kilobyte as a node, and over one as a material.
 void check_sizes(const Value& root) {
   constexpr std::pair<const char*, std::size_t> limits[] = {{"nodes", 1'000'000}, {"materials", 65'536}};
   for (const auto& [collection, most] : limits)

@@ -130,7 +130,7 @@ struct Mesh {
 struct Node {
   std::string name;
   glm::dmat4 local{1};
-  std::optional<Transform> transform = Transform{};  ///< what `local` is made of; none: the file has a matrix
+  std::optional<Transform> transform = Transform{};  ///< the parts of `local`; none: the file has a matrix
   int mesh = -1, skin = -1, camera = -1, light = -1;
   int parent = -1;
   std::vector<int> children;

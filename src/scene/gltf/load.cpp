@@ -18,7 +18,7 @@ namespace {
 
 using namespace gltf;
 
-// What cannot be posed is still shown in the pose of its file.
+// An asset that cannot be posed is still shown in the pose of its file.
 void keep_rig(const Document& document, Bytes& bytes, const LoadOptions& options, const Placed& placed,
               const ViewNodes& views, Scene& scene) {
   std::vector<bool> own_tangents;

@@ -20,8 +20,8 @@ namespace {
 // Limit on work: vertices times active morph targets, per vertex limit.
 constexpr std::uint64_t morph_passes = 2;
 
-// Primitives and nodes that name the same accessors cost a file a few bytes, and memory for each vertex: so
-// many copies are free, beyond them the file must have grown. The densest Draco data that we know holds about
+// Primitives and nodes that name the same accessors cost a file a few bytes, and memory for each vertex. So
+// many copies are free; beyond them the file must have grown. The densest Draco data that we know holds about
 // 4 vertices per byte.
 constexpr std::uint64_t free_vertices = 8'000'000, vertices_per_byte = 16;
 
@@ -53,7 +53,7 @@ void check_both_sets(const MeshPlace& place, const Vertex& v, std::size_t i) {
   for (const glm::vec2& uv : {v.uv0, v.uv1}) check_coordinates(place, uv, i);
 }
 
-/// What a primitive says of itself besides its vertices.
+/// Properties of a primitive besides its vertices.
 struct About {
   int material = 0, node = -1, source_mesh = 0;
 };

@@ -17,7 +17,7 @@ std::string place_of(std::size_t animation, std::size_t sampler) {
   return fmt::format("animations[{}].samplers[{}]", animation, sampler);
 }
 
-// What the key frames of a channel are made of.
+// Type of the key frames of a channel.
 struct Shape {
   std::size_t size = 0;     ///< numbers of a value
   int components = 1;       ///< of an element of the accessor

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint64_t max_stride = 4096;  // glTF: 252
 
-// An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so what it
-// claims is compared with the size of all buffers: the densest Draco data that we know holds about 20 indices
-// per byte. Below the floor the memory does not matter.
+// An accessor without bytes of its own (sparse over nothing, or Draco) costs the file nothing, so its count
+// is compared with the size of all buffers. The densest Draco data that we know holds about 20 indices per
+// byte. Below the floor the memory does not matter.
 constexpr std::uint64_t max_zero_elements = 1u << 24, free_zero_elements = 1u << 16,
                         zero_elements_per_byte = 64;
 

@@ -86,8 +86,8 @@ void read_metallic_roughness(const Document& document, const Value& value, Mater
   material.metallic_roughness_map = map_member(document, value, "metallicRoughnessTexture");
 }
 
-/// What a scan of before glTF's metallic-roughness has: the map's alpha says how smooth, and becomes the
-/// roughness once it is decoded (turn_glossiness()). Its specular colour is left out: skin has its own.
+/// Reads specular-glossiness, which older scans have. The map's alpha says how smooth skin is, and becomes
+/// the roughness once it is decoded (turn_glossiness()). Its specular colour is left out: skin has its own.
 void read_specular_glossiness(const Document& document, const Value& value, MaterialSource& source) {
   Material& material = source.material;
   const std::vector<double> diffuse = numbers_near(value, "diffuseFactor", 4, 0, 1);

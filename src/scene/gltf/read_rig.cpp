@@ -103,7 +103,8 @@ glm::vec3 vec3_at(const std::vector<float>& values, std::size_t i, std::size_t c
   return {values[i * components], values[i * components + 1], values[i * components + 2]};
 }
 
-// Which vertices of the source the vertices of the primitive are: copies that were split off stand last.
+// Returns the vertices of the source, for the vertices of the primitive: copies that were split off stand
+// last.
 std::vector<std::uint32_t> sources_of(const LocalMesh& local, const Primitive& primitive) {
   if (primitive.vertices.size() == local.vertices) return {};
   std::vector<std::uint32_t> sources;
@@ -142,7 +143,7 @@ void add_influences(const LocalMesh& local, bool skinned, std::uint32_t first_jo
   mesh.first_influence.push_back(static_cast<std::uint32_t>(mesh.influences.size()));
 }
 
-// What the targets move, target after target.
+// Vertices that the targets move, target after target.
 struct Targets {
   std::vector<std::uint32_t> vertex;
   std::vector<MorphDelta> delta;

@@ -4,7 +4,7 @@
 //
 // Departures from the listing, which takes seven taps one sigma apart along u, then v, scaled by the stretch
 // map. (1) Those have a variance of 1.079 sigma^2 and miss a lit edge by up to 18 % where texels are as large
-// as the Gaussian: here 13 taps lie on whole texels, with weights of exact variance (kernels.h). (2) u and v
+// as the Gaussian. Here 13 taps lie on whole texels, with weights of exact variance (kernels.h). (2) u and v
 // are not perpendicular: a Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture
 // coordinates, L = [a 0; b c]. The first pass runs along (a, b) in whole steps of u and interpolates in v;
 // the second runs along v, less the variance that interpolation has added. (3) Taps do not cross into another

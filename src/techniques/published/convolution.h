@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What spreads the light of an object: masks of unlit texels, seams, one axis of a Gaussian, and light
-/// through the body that joins.
-/// Based on: [DLE07] sec. 3.3; [JG08] sec. 3
+/// Passes that spread the light of an object: masks of unlit texels, seams, one axis of a Gaussian, and light
+/// through the body that joins. Based on: [DLE07] sec. 3.3; [JG08] sec. 3
 #pragma once
 
 #include "passes/compute_pass.h"

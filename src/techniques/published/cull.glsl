@@ -2,7 +2,7 @@
 // [JG08] sec. 3: skin whose normal is more than 105 degrees from the direction to the eye is not lit. Needs
 // vertex_pull.glsl, skin_vertex.glsl, instance.glsl, frame.glsl and `indices`.
 //
-// Departures. Listings 1 and 2 decide per texel, by the interpolated normal: on a coarse mesh that culls
+// Departures. Listings 1 and 2 decide per texel, by the interpolated normal. On a coarse mesh that culls
 // texels that are seen (119 in one view of a head of few polygons), as the paper warns. Here whole triangles
 // are culled: all their vertex normals are over 105 degrees, and the triangle faces away. The direction is
 // the true one of each vertex; the listing has the axis of the view for all.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Rasters the light that enters the skin, in texture coordinates.
-/// Based on: [DLE07] sec. 3.2. What is not lit: [JG08] sec. 3 (cull), 4 (only T x T texels), 5 (clip)
+/// Rasters the light that enters the skin, in texture coordinates. Based on: [DLE07] sec. 3.2. Texels that
+/// are not lit: [JG08] sec. 3 (cull), 4 (only T x T texels), 5 (clip)
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace dermis::techniques::papers {
 
-/// What both passes of this file draw, and with which light.
+/// Skin and light of both passes of this file.
 struct LitMesh {
   Object object;
   bool clip = false;          ///< leaves out skin outside the picture and its margin

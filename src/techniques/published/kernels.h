@@ -8,9 +8,9 @@
 
 namespace dermis::techniques::papers {
 
-/// Returns two tables of PAPER_ROWS rows of PAPER_ROW_FLOATS floats: Gaussians sampled at whole texels, whose
-/// variance is exact; and means over texels of the light of a neighbouring texel of unit light, for the first
-/// step, whose input is constant over each texel. Made once.
+/// Returns two tables of PAPER_ROWS rows of PAPER_ROW_FLOATS floats. The first has Gaussians sampled at whole
+/// texels, whose variance is exact. The second is for the first step, whose input is constant over each
+/// texel: means over texels of the light of a neighbouring texel of unit light. Made once.
 const std::vector<float>& kernel_table();
 
 /// One convolution along both axes.

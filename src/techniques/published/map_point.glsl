@@ -22,8 +22,8 @@ vec2 within_triangle(vec2 p) {
 }
 
 // [JG08] sec. 4: texture space is limited to (0..s). Returns texels, with the bilinear footprint inside the
-// used square: half a texel, plus the step to which samplers round, for outside there may be NaN, which a
-// weight of 0 does not remove.
+// used square: half a texel, plus the step to which samplers round. Outside there may be NaN, which a weight
+// of 0 does not remove.
 vec2 map_point() {
   const float margin = 0.5 + 1.0 / 256.0, side = float(io.map_side);
   return clamp(within_triangle(in_unwrap) * side, margin, side - margin);

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Counts, for the statistics, lights that a texel faces away from and whose maps do not hold it: the position
-// is outside, or the light that entered was not stored although there is a surface.
+// SPDX-License-Identifier: MIT Counts, for the statistics, lights that a texel faces away from and whose maps
+// do not hold it. Its position is outside, or the light that entered was not stored although there is a
+// surface.
 #version 460
 #include "shared/scene_io.h"
 #include "shaders/half.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What is lit, blurred and drawn at a time: one skin mesh of one head. Objects take turns with one set of
-/// light maps. [JG08] sec. 4: these are allocated once, of T_max, and a frame uses their corner of T x T.
+/// An object is lit, blurred and drawn at a time: one skin mesh of one head. Objects take turns with one set
+/// of light maps. [JG08] sec. 4: these are allocated once, of T_max, and a frame uses their corner of T x T.
 #pragma once
 
 #include "passes/light_pool.h"

@@ -25,7 +25,7 @@ inline std::size_t counter_count(const FrameSettings& settings) {
   return counter_objects + std::size_t{counters_of_object} * settings.most_meshes() * settings.head_count();
 }
 
-/// How convolutions skip unlit texels: there are some if anything is culled or clipped.
+/// Mask by which convolutions skip unlit texels: there are some if anything is culled or clipped.
 enum class Mask : std::uint8_t { none, alpha, depth };
 Mask mask_of(const FrameSettings& settings);
 

@@ -1,8 +1,7 @@
-// SPDX-License-Identifier: MIT
-// The stretch map, [DLE07] GPU Gems 3, ch. 14.4.2: how far a length on the skin reaches on the map. Two
-// lengths there, along u and v; here the Cholesky factor of the inverse metric, because u and v are far from
-// perpendicular on unwraps of heads (median |cos| 0.35 on the scan). Per metre, so that a half float holds
-// heads and giants alike. Alpha: the number of the chart.
+// SPDX-License-Identifier: MIT The stretch map, [DLE07] GPU Gems 3, ch. 14.4.2: how far a length on the skin
+// reaches on the map. The paper has two lengths, along u and v. Here it is the Cholesky factor of the inverse
+// metric, because u and v are far from perpendicular on unwraps of heads (median |cos| 0.35 on the scan). Per
+// metre, so that a half float holds heads and giants alike. Alpha: the number of the chart.
 #version 460
 #include "shaders/half.glsl"
 layout(location = 0) in vec3 in_metric;  // g_uu, g_uv, g_vv: mm^2 per unit^2

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: MIT
-// Translucent shadow maps for many lights, [JG08] sec. 7. A slab of thickness d, lit on its far side with B,
-// shows sum_i w_i exp(-d^2 / 2 v_i) (G(v_i) * B): every term of the profile has light of its own, T_i.
+// SPDX-License-Identifier: MIT Translucent shadow maps for many lights, [JG08] sec. 7. A slab of thickness d,
+// lit on its far side with B, shows sum_i w_i exp(-d^2 / 2 v_i) (G(v_i) * B). So every term of the profile
+// has light of its own, T_i.
 //
 // Departure: [DLE07] (GPU Gems 3, ch. 14.5) reads the blurred maps at the texture coordinates of the lit
 // point. Those maps hold the light of all lights, which each would read again; and the lit point faces away

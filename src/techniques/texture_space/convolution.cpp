@@ -88,7 +88,7 @@ class MakeChain {
   const LightMaps* maps_;
   std::uint32_t mesh_;
   std::vector<MapSquare> squares_;
-  ChainLight light_;      // what the next step blurs
+  ChainLight light_;      // input of the next step
   double total_mm2_ = 0;  // of all steps so far
   MeshSteps steps_;
 };

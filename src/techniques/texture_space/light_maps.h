@@ -33,7 +33,7 @@ class LightMaps {
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
   const MapPool& pool() const { return pool_; }
-  frame::TextureId light() const { return light_; }          ///< what the first blur reads
+  frame::TextureId light() const { return light_; }          ///< input of the first blur
   frame::TextureId entered() const { return entered_; }      ///< without light through the body
   frame::TextureId scratch() const { return scratch_; }      ///< between both axes of a blur
   const passes::TileLists& tiles() const { return tiles_; }  ///< that are lit and blurred

@@ -13,7 +13,7 @@
 namespace dermis::techniques {
 namespace {
 
-// What runs over the maps of one skin mesh of a head.
+// Work over the maps of one skin mesh of a head.
 struct Work {
   std::uint32_t terms = 0;         // Gaussians that are blurred
   std::uint32_t convolutions = 0;  // passes, both axes counted

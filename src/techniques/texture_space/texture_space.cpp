@@ -20,7 +20,8 @@ namespace {
 
 using passes::MapSquare;
 
-// What `show` names: the first skin mesh of the last head that has skin. Heads are drawn far to near then.
+// The square that `show` names: the first skin mesh of the last head that has skin. Heads are drawn far to
+// near then.
 MapSquare shown_square(const FrameSettings& s) {
   std::uint32_t head = s.head_count() - 1;
   while (head > 0 && s.model_of(head).meshes == 0) --head;
