@@ -23,6 +23,7 @@ else:
 
     from ._core import Cancelled, DeviceError, InputError, InternalError
     from ._asset import Asset, Bounds, Light, Material, Mesh
+    from ._landmarks import LandmarkPlace, Landmarks, PictureLandmarks
     from ._profile import Profile
     from ._renderer import Device, Frame, Picture, Renderer, Session, devices, render, techniques
     from ._scene import Camera, Instance, Joint, Pose, Scene
@@ -42,10 +43,13 @@ else:
         "Instance",
         "InternalError",
         "Joint",
+        "LandmarkPlace",
+        "Landmarks",
         "Light",
         "Material",
         "Mesh",
         "Picture",
+        "PictureLandmarks",
         "Pose",
         "Profile",
         "Renderer",
