@@ -35,7 +35,9 @@ constexpr FileRow file_rows[] = {
     {Output::depth, {"Z"}, 1e-4},     {Output::normal, {"X", "Y", "Z"}, 1.0 / 32767, 1 + 1.0 / 32767},
     {Output::uv, {"U", "V"}},         {Output::region, {"id"}, 1},
     {Output::skin_mesh, {"id"}, 1},   {Output::unwrap, {"U", "V"}},
-    {Output::thickness, {"Y"}, 1e-3}, {Output::matte, {"A"}, 1.0 / 65535}};
+    {Output::thickness, {"Y"}, 1e-3}, {Output::matte, {"A"}, 1.0 / 65535},
+    {Output::part, {"id"}, 1},        {Output::front, {"A"}, 1.0 / 65535},
+    {Output::front_part, {"id"}, 1}};
 
 const OutputRow& row_of(Output output) { return output_rows()[static_cast<std::size_t>(output)]; }
 
@@ -145,6 +147,13 @@ Json landmarks_json(const Scene& scene, const RenderSettings& settings, const Re
 Json label_json(const OutputRow& row) {
   Json json{{"about", row.help}};
   if (*row.unit != 0) json["unit"] = row.unit;
+  if (row.output == Output::part || row.output == Output::front_part) {
+    for (const PartRow& part : part_rows()) {
+      json["names"].push_back(part.name);
+      json["classes"]["FaceSynthetics"].push_back(part.face_synthetics);
+      json["classes"]["CelebAMask-HQ"].push_back(part.celeba_mask_hq);
+    }
+  }
   if (row.output == Output::region) json["names"] = {"no skin", "nose", "ear", "other skin"};
   if (row.output == Output::normal)
     json["about"] =
@@ -259,12 +268,13 @@ std::vector<PendingFile> label_files(Renderer& renderer, const Scene& scene, con
     files = png_files(results, path, of_labels);
   else
     files.push_back(layers_file(results, picture, path, of_labels));
-  Json sheet{{"schema", 1},
-             {"picture", std::filesystem::path(path).filename().string()},
-             {"camera", camera_json(scene, settings)},
-             {"sampling", "one sample at the middle of each pixel; blended parts leave no label"},
-             {"labels", of_labels},
-             {"instances", instances_json(scene)}};
+  Json sheet{
+      {"schema", 1},
+      {"picture", std::filesystem::path(path).filename().string()},
+      {"camera", camera_json(scene, settings)},
+      {"sampling", "one sample at the middle of each pixel; blended parts leave front and front_part alone"},
+      {"labels", of_labels},
+      {"instances", instances_json(scene)}};
   if (!marks.is_null()) sheet["landmarks"] = marks;
   const std::string text = sheet.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   const auto bytes = std::as_bytes(std::span(text));

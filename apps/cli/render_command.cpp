@@ -110,8 +110,8 @@ void add_render_command(CLI::App& app, int& exit_status) {
            ->add_option(
                "--labels", arguments->labels,
                "what each pixel shows, beside the picture, with a .json: a list of instance, material, "
-               "depth, normal, uv, region, skin_mesh, unwrap, thickness, matte, landmarks, or all; layers of "
-               "an .exr, or a 16-bit PNG each; landmarks stand in the .json")
+               "depth, normal, uv, region, skin_mesh, unwrap, thickness, matte, part, front, front_part, "
+               "landmarks, or all; layers of an .exr, or a 16-bit PNG each; landmarks stand in the .json")
            ->type_name("NAME,..."));
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output")
       ->type_name("FILE");

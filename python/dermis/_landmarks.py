@@ -33,8 +33,8 @@ class PictureLandmarks:
     depth: NDArray[np.float64]
     """(70,): metres along the axis of the camera."""
     seen: NDArray[np.bool_]
-    """(70,): the picture shows the point. One of the four pixels around it has its depth within 1 mm, or within
-    the change of depth to the next pixel where that is more. Lashes and brows hide nothing."""
+    """(70,): the picture shows the point. One of the four pixels around it has its depth within 1 mm, or
+    within the change of depth to the next pixel where that is more. Lashes and brows hide nothing."""
     positions_m: NDArray[np.float64]
     """(70, 3): in the world, posed, metres."""
 

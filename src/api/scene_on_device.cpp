@@ -9,6 +9,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "api/face_parts.h"
 #include "core/cache.h"
 #include "core/hooks.h"
 #include "core/warnings.h"
@@ -79,18 +80,32 @@ void add_shape(gpu::Device& device, SharedAsset& asset) {
 void add_label_vertices(gpu::Device& device, SharedAsset& asset) {
   if (asset.has_label_vertices) return;
   const UploadTime time(asset);
-  const auto parts = regions::parts_of_skin(*asset.subject.scene, asset.subject.skin);
+  const scene::Scene& scene = *asset.subject.scene;
+  const auto parts = regions::parts_of_skin(scene, asset.subject.skin);
+  const FaceParts face(asset.source);
   Steps steps("the shape of the body", parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto shape =
-        environment::cached_body_shape(*asset.subject.scene, asset.subject.skin[i], cache::default_folder());
+    const auto shape = environment::cached_body_shape(scene, asset.subject.skin[i], cache::default_folder());
     std::vector<io::LabelVertexIo> vertices;
-    for (std::size_t v = 0; v < parts[i].size(); ++v)
-      vertices.push_back({.part = parts[i][v], .thickness_mm = shape[v].thickness_mm});
+    for (std::size_t v = 0; v < parts[i].size(); ++v) {
+      vertices.push_back(face.of_skin(asset.subject.skin[i].vertices[v].position_m));
+      vertices.back().part = parts[i][v];
+      vertices.back().thickness_mm = shape[v].thickness_mm;
+    }
     asset.gpu->skin[i].label_vertices =
         gpu::make_buffer(device, asset.gpu->skin[i].name + " label vertices",
                          std::span<const io::LabelVertexIo>(vertices), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     steps.done();
+  }
+
+  for (passes::GpuSurfaces::Page& page : asset.gpu->surfaces.pages) {
+    std::vector<io::LabelVertexIo> vertices;
+    for (const passes::GpuSurfaces::Page::Part& part : page.parts)
+      for (const scene::Vertex& vertex : scene.primitives[part.primitive].vertices)
+        vertices.push_back(face.of_surface(scene, scene.primitives[part.primitive], vertex.position_m));
+    page.label_vertices =
+        gpu::make_buffer(device, "surfaces label vertices", std::span<const io::LabelVertexIo>(vertices),
+                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   }
   asset.has_label_vertices = true;
 }

@@ -84,8 +84,13 @@ TEST(Landmarks, OfTheBuiltInHeadAreThoseOfAFace) {
 TEST(Landmarks, OfHeadsOfOthersAreThoseOfAFace) {
   const auto folder = asset_cache();
   const std::vector<std::filesystem::path> files{
-      folder / "ict-facekit/ict-mean-animated.glb", folder / "makehuman/mh-african-man-young.glb",
-      folder / "makehuman/mh-asian-woman-young.glb", folder / "makehuman/mh-european-man-young.glb"};
+      folder / "ict-facekit/ict-mean-animated.glb",
+      folder / "makehuman/mh-african-man-young.glb",
+      folder / "makehuman/mh-asian-woman-young.glb",
+      folder / "makehuman/mh-european-man-young.glb",
+      folder / "makehuman/mh-african-man-young-sub1.glb",
+      folder / "makehuman/crowd/mh-crowd-african-man-old-lod0.glb",
+      folder / "makehuman/crowd/mh-crowd-european-woman-young-lod0.glb"};
   if (const std::string missing = missing_asset(files); !missing.empty()) GTEST_SKIP() << missing;
   for (const auto& file : files) {
     SCOPED_TRACE(file.filename());
