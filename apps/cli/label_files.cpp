@@ -151,7 +151,7 @@ std::vector<PendingFile> label_files(Renderer& renderer, const Scene& scene, con
   Json sheet{{"schema", 1},
              {"picture", std::filesystem::path(path).filename().string()},
              {"camera", api::camera_json(scene, settings)},
-             {"sampling", "one sample at the middle of each pixel; blended parts leave no label"},
+             {"sampling", "one sample at the middle of each pixel; blended parts leave front and front_part alone"},
              {"labels", of_labels},
              {"instances", instances_json(scene)}};
   if (!marks.is_null()) sheet["landmarks"] = marks;

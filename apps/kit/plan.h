@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Lists of the runs of the kit.
+// SPDX-License-Identifier: MIT
+// Lists of the runs of the kit.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT News from the threads beside the window.
+// SPDX-License-Identifier: MIT
+// News from the threads beside the window.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Requests of panels: files, undo, the camera.
+// SPDX-License-Identifier: MIT
+// Requests of panels: files, undo, the camera.
 #include <fmt/format.h>
 #include <imgui.h>
 

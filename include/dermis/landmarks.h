@@ -44,10 +44,10 @@ struct Landmark {
   /// nearer than the near plane.
   double x = 0, y = 0;
   double depth_m = 0;  ///< along the axis of the camera
-  /// The picture shows the point: the nearest pixel has its depth within 1 mm, or within the change of depth
-  /// to the next pixel where that is more (of two opposite neighbours the nearer one counts, of rows and
-  /// columns the larger change). Blended parts such as lashes hide nothing. A landmark of a hidden instance
-  /// is not seen.
+  /// The picture shows the point: one of the four pixels around it has its depth within 1 mm, or within the
+  /// change of depth to the next pixel where that is more (of two opposite neighbours the nearer one counts,
+  /// of rows and columns the larger change). Blended parts such as lashes hide nothing. A landmark of a
+  /// hidden instance is not seen.
   bool seen = false;
 };
 

@@ -4,7 +4,8 @@
 /// Labels are unfiltered: one sample at the middle of the pixel, never averaged over several and never
 /// blended, so that a number is always one that the scene has. They are of the opaque and cut-out parts of
 /// all visible instances, culled and cut out as in the picture. Blended parts (lashes, brows) leave no label:
-/// what lies behind them does. They do not depend on technique, samples and light.
+/// what lies behind them does; `front` and `front_part` are theirs. They do not depend on technique, samples
+/// and light.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,10 @@ enum class Output : std::uint8_t {
   skin_mesh,
   unwrap,
   thickness,
-  matte
+  matte,
+  part,
+  front,
+  front_part
 };
 
 /// A set of outputs: {Output::display, Output::depth}.
@@ -44,7 +48,8 @@ class Outputs {
   static constexpr Outputs lit() { return {Output::display, Output::linear, Output::matte}; }
   static constexpr Outputs labels() {
     return {Output::instance, Output::material, Output::depth,     Output::normal, Output::uv,
-            Output::motion,   Output::region,   Output::skin_mesh, Output::unwrap, Output::thickness};
+            Output::motion,   Output::region,   Output::skin_mesh, Output::unwrap, Output::thickness,
+            Output::part,     Output::front,    Output::front_part};
   }
   static constexpr Outputs all() { return lit() | labels(); }
 
@@ -135,10 +140,51 @@ struct Results {
   /// label: it takes a lit frame.
   std::span<float> matte;
 
+  enum Part : std::uint32_t {
+    nothing,
+    face,  ///< its skin, the scalp and eyelids among it
+    part_nose,
+    right_eye,  ///< the person's right; with caruncle and tears
+    left_eye,
+    right_brow,
+    left_brow,
+    right_ear,
+    left_ear,
+    mouth_interior,
+    upper_lip,
+    lower_lip,
+    neck,  ///< with the shoulders
+    hair,
+    lashes,
+    other  ///< no skin, of a material whose name says none of these
+  };
+  /// A Part; part_rows() has their names. Skin is divided where the asset has landmarks (dermis/landmarks.h):
+  /// lips by their outline, the neck by the jaw line. Without them its nose and ears are found alone. All
+  /// else is what the name of its primitive or material says (eye, iris, teeth, tongue, brow, lash, hair
+  /// ...); the side is that on which it lies at rest.
+  std::span<std::uint32_t> part;
+  /// What blended parts before that cover of the pixel's middle, by their alpha, 0 to 1; as half floats.
+  std::span<float> front;
+  /// A Part: of the nearest blended part that covers a half or more. `nothing`: there is none.
+  std::span<std::uint32_t> front_part;
+
   /// Returns one of the above as bytes.
   std::span<std::byte> bytes(Output output) const;
 
   std::shared_ptr<const void> lease;  ///< of the memory; null: there is none
 };
+
+/// A part of a face, and the class that it has in data sets of others.
+struct PartRow {
+  Results::Part part{};
+  const char* name = "";
+  /// Of FaceSynthetics (Wood et al., ICCV 2021). 255, which it ignores: it has no such class.
+  std::uint8_t face_synthetics = 0;
+  /// Of CelebAMask-HQ (Lee et al., CVPR 2020), by the order of its g_mask.py; `l_` is taken for the person's
+  /// left. 0, background: it has no such class.
+  std::uint8_t celeba_mask_hq = 0;
+};
+/// Returns the rows of all parts, in the order of Results::Part.
+std::span<const PartRow> part_rows();
 
 }  // namespace dermis

@@ -23,6 +23,8 @@ else:
 
     from ._core import Cancelled, DeviceError, InputError, InternalError
     from ._asset import Asset, Bounds, Light, Material, Mesh
+    from ._landmarks import LandmarkPlace, Landmarks, PictureLandmarks
+    from ._parts import part_classes, part_names
     from ._profile import Profile
     from ._renderer import Device, Frame, Picture, Renderer, Session, devices, render, techniques
     from ._scene import Camera, Instance, Joint, Pose, Scene
@@ -42,16 +44,21 @@ else:
         "Instance",
         "InternalError",
         "Joint",
+        "LandmarkPlace",
+        "Landmarks",
         "Light",
         "Material",
         "Mesh",
         "Picture",
+        "PictureLandmarks",
         "Pose",
         "Profile",
         "Renderer",
         "Scene",
         "Session",
         "devices",
+        "part_classes",
+        "part_names",
         "render",
         "techniques",
     ]

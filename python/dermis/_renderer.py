@@ -164,6 +164,23 @@ class Frame:
         return self.array("matte")
 
     @property
+    def part(self) -> NDArray[np.uint32]:
+        """uint32 (H, W): 0 nothing, else a place in dermis.part_names(); dermis.part_classes() has tables to
+        the classes of data sets."""
+        return self.array("part")
+
+    @property
+    def front(self) -> NDArray[np.float32]:
+        """float32 (H, W): what blended parts (lashes, brows) cover of the pixel's middle, 0 to 1."""
+        return self.array("front")
+
+    @property
+    def front_part(self) -> NDArray[np.uint32]:
+        """uint32 (H, W): a place in dermis.part_names(), of the nearest blended part that covers a half or
+        more; 0 none."""
+        return self.array("front_part")
+
+    @property
     def statistics(self) -> dict[str, Any]:
         """As Picture.statistics; what is counted is 0 unless the session was asked for statistics."""
         statistics: dict[str, Any] = json.loads(self._session.statistics(self._ticket))

@@ -13,6 +13,7 @@ NB_MODULE(_core, m) {
   dermis::python::add_settings(m);
   dermis::python::add_profiles(m);
   dermis::python::add_scenes(m);
+  dermis::python::add_landmarks(m);
   dermis::python::add_renderers(m);
   dermis::python::add_reference(m);
   m.def("end_threads", &dermis::python::end_threads, "Waits for work that was left behind.");

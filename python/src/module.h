@@ -10,6 +10,7 @@ void add_errors(nanobind::module_& m);
 void add_settings(nanobind::module_& m);
 void add_profiles(nanobind::module_& m);
 void add_scenes(nanobind::module_& m);
+void add_landmarks(nanobind::module_& m);
 void add_renderers(nanobind::module_& m);
 void add_reference(nanobind::module_& m);
 

@@ -186,6 +186,12 @@ void add_pictures(nb::module_& m) {
       rows.emplace_back(row.name, static_cast<int>(row.type), row.channels, row.unit, row.help);
     return rows;
   });
+  m.def("part_rows", [] {
+    std::vector<std::tuple<std::string, int, int>> rows;
+    for (const PartRow& row : part_rows())
+      rows.emplace_back(row.name, row.face_synthetics, row.celeba_mask_hq);
+    return rows;
+  });
 }
 
 void add_devices(nb::module_& m) {

@@ -24,6 +24,9 @@ names: Any = (
     "unwrap",
     "thickness",
     "matte",
+    "part",
+    "front",
+    "front_part",
 )
 
 

@@ -53,7 +53,8 @@ def test_of_a_ball_in_closed_form(renderer: dermis.Renderer) -> None:
     scene = dermis.Scene(skin_of(ball(radius_m)))
     view = {**seen, "eye": (0.2, 0.1, 0.6), "target": (0.0, 0.0, 0.0), "fov": 20.0}
     frame = renderer.session(labels).draw(scene, **view)
-    eye, along = rays(scene.camera(**view))
+    camera = scene.camera(**view)
+    eye, along = rays(camera)
     unit = along / np.linalg.norm(along, axis=-1, keepdims=True)
     b = (unit * eye).sum(axis=-1)
     under = b * b - eye @ eye + radius_m**2
@@ -65,6 +66,11 @@ def test_of_a_ball_in_closed_form(renderer: dermis.Renderer) -> None:
     # Triangles lie up to 2 radius (1 - cos(pi / 192)) inside the ball, and are seen under a cosine of 0.3.
     assert np.abs(frame.depth - depth)[inside].max() < 2 * radius_m * (1 - np.cos(np.pi / 192)) / 0.3
     assert np.abs(frame.normal - hit / radius_m)[inside].max() < 2e-3
+    # In the camera, +z ahead: what is seen looks back at the eye, and in the middle of the ball straight.
+    in_camera = frame.normal @ camera.R.T
+    assert in_camera[inside][:, 2].max() < 0
+    assert np.abs(in_camera - (hit / radius_m) @ camera.R.T)[inside].max() < 2e-3
+    assert np.abs(in_camera[39:41, 47:49].mean(axis=(0, 1)) - (0, 0, -1)).max() < 2e-3
     assert (frame.instance[under < -((0.1 * radius_m) ** 2)] == 0).all()
 
 

@@ -27,12 +27,16 @@ constexpr std::array rows{
     OutputRow{Output::unwrap, "unwrap", Type::float32, 2, "", "coordinates of the light map, v down"},
     OutputRow{Output::thickness, "thickness", Type::float32, 1, "mm",
               "of the body below the skin; 0: no skin"},
-    OutputRow{Output::matte, "matte", Type::float32, 1, "", "share of the pixel that heads cover, 0 to 1"}};
+    OutputRow{Output::matte, "matte", Type::float32, 1, "", "share of the pixel that heads cover, 0 to 1"},
+    OutputRow{Output::part, "part", Type::uint32, 1, "", "of the face; 0: nothing"},
+    OutputRow{Output::front, "front", Type::float32, 1, "", "what blended parts before that cover, 0 to 1"},
+    OutputRow{Output::front_part, "front_part", Type::uint32, 1, "",
+              "the nearest blended part that covers a half; 0: none"}};
 
 constexpr bool are_in_order() {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i].output != static_cast<Output>(i)) return false;
-  return rows.size() == static_cast<std::size_t>(Output::matte) + 1;
+  return rows.size() == static_cast<std::size_t>(Output::front_part) + 1;
 }
 static_assert(are_in_order());
 static_assert(Results::nose == LABEL_REGION_NOSE && Results::ear == LABEL_REGION_EAR &&
@@ -53,9 +57,38 @@ std::uint32_t label_bit(Output output) {
     case Output::skin_mesh: return LABEL_SKIN_MESH;
     case Output::unwrap: return LABEL_UNWRAP;
     case Output::thickness: return LABEL_THICKNESS;
+    case Output::part: return LABEL_PART;
+    case Output::front: return LABEL_FRONT;
+    case Output::front_part: return LABEL_FRONT_PART;
   }
   return 0;
 }
+
+// Numbers of FaceSynthetics: README of microsoft/FaceSynthetics. Of CelebAMask-HQ: README of
+// switchablenorms/CelebAMask-HQ.
+constexpr std::array parts{PartRow{Results::nothing, "nothing", 0, 0},
+                           PartRow{Results::face, "face", 1, 1},
+                           PartRow{Results::part_nose, "nose", 2, 2},
+                           PartRow{Results::right_eye, "right eye", 3, 5},
+                           PartRow{Results::left_eye, "left eye", 4, 4},
+                           PartRow{Results::right_brow, "right brow", 5, 7},
+                           PartRow{Results::left_brow, "left brow", 6, 6},
+                           PartRow{Results::right_ear, "right ear", 7, 9},
+                           PartRow{Results::left_ear, "left ear", 8, 8},
+                           PartRow{Results::mouth_interior, "mouth interior", 9, 10},
+                           PartRow{Results::upper_lip, "upper lip", 10, 11},
+                           PartRow{Results::lower_lip, "lower lip", 11, 12},
+                           PartRow{Results::neck, "neck", 12, 17},
+                           PartRow{Results::hair, "hair", 13, 13},
+                           PartRow{Results::lashes, "lashes", 255, 0},
+                           PartRow{Results::other, "other", 255, 0}};
+static_assert(parts[Results::other].part == Results::other && parts.size() == Results::other + 1);
+static_assert(Results::face == LABEL_PART_FACE && Results::part_nose == LABEL_PART_NOSE &&
+              Results::right_eye == LABEL_PART_RIGHT_EYE && Results::right_brow == LABEL_PART_RIGHT_BROW &&
+              Results::right_ear == LABEL_PART_RIGHT_EAR && Results::mouth_interior == LABEL_PART_MOUTH &&
+              Results::upper_lip == LABEL_PART_UPPER_LIP && Results::lower_lip == LABEL_PART_LOWER_LIP &&
+              Results::neck == LABEL_PART_NECK && Results::hair == LABEL_PART_HAIR &&
+              Results::lashes == LABEL_PART_LASHES && Results::other == LABEL_PART_OTHER);
 
 template <class T>
 std::span<T> span_of(std::span<std::byte> bytes) {
@@ -65,6 +98,8 @@ std::span<T> span_of(std::span<std::byte> bytes) {
 }  // namespace
 
 std::span<const OutputRow> output_rows() { return rows; }
+
+std::span<const PartRow> part_rows() { return parts; }
 
 std::span<std::byte> Results::bytes(Output output) const {
   switch (output) {
@@ -81,6 +116,9 @@ std::span<std::byte> Results::bytes(Output output) const {
     case Output::unwrap: return std::as_writable_bytes(unwrap);
     case Output::thickness: return std::as_writable_bytes(thickness_mm);
     case Output::matte: return std::as_writable_bytes(matte);
+    case Output::part: return std::as_writable_bytes(part);
+    case Output::front: return std::as_writable_bytes(front);
+    case Output::front_part: return std::as_writable_bytes(front_part);
   }
   return {};
 }
@@ -129,6 +167,9 @@ Results results_of(Outputs wanted, int width, int height, const std::shared_ptr<
           .unwrap = span_of<float>(plane(Output::unwrap)),
           .thickness_mm = span_of<float>(plane(Output::thickness)),
           .matte = span_of<float>(whole(readback->matte)),
+          .part = span_of<std::uint32_t>(plane(Output::part)),
+          .front = span_of<float>(plane(Output::front)),
+          .front_part = span_of<std::uint32_t>(plane(Output::front_part)),
           .lease = readback};
 }
 

@@ -57,7 +57,8 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
     const std::shared_ptr<const scene::Scene> data = Asset::State::of(placed.instance.asset);
     api::AssetPointer& asset = known[data];
     if (!asset) {
-      asset = std::make_shared<api::SharedAsset>(api::SharedAsset{.subject = setup::examine(data)});
+      asset = std::make_shared<api::SharedAsset>(
+          api::SharedAsset{.subject = setup::examine(data), .source = placed.instance.asset});
       live_assets.push_back(asset);
     }
     of_instances.push_back(asset);

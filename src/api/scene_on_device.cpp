@@ -77,18 +77,22 @@ void add_shape(gpu::Device& device, SharedAsset& asset) {
 void add_label_vertices(gpu::Device& device, SharedAsset& asset) {
   if (asset.has_label_vertices) return;
   const UploadTime time(asset);
-  const setup::Preparation& prepare = setup::preparation("labels of nose, ears and thickness");
-  const auto parts = prepare.parts_of_skin(*asset.subject.scene, asset.subject.skin);
-  Steps steps("the shape of the body", parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto shape = prepare.body_shape(*asset.subject.scene, asset.subject.skin[i]);
+  const scene::Scene& scene = *asset.subject.scene;
+  const setup::LabelVertices found =
+      setup::preparation("labels of the face").label_vertices(scene, asset.subject.skin, asset.source);
+  for (std::size_t i = 0; i < found.skin.size(); ++i)
+    asset.gpu->skin[i].label_vertices = gpu::make_buffer(device, asset.gpu->skin[i].name + " label vertices",
+                                                         std::span<const io::LabelVertexIo>(found.skin[i]),
+                                                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+
+  for (passes::GpuSurfaces::Page& page : asset.gpu->surfaces.pages) {
     std::vector<io::LabelVertexIo> vertices;
-    for (std::size_t v = 0; v < parts[i].size(); ++v)
-      vertices.push_back({.part = parts[i][v], .thickness_mm = shape[v].thickness_mm});
-    asset.gpu->skin[i].label_vertices =
-        gpu::make_buffer(device, asset.gpu->skin[i].name + " label vertices",
-                         std::span<const io::LabelVertexIo>(vertices), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    steps.done();
+    for (const passes::GpuSurfaces::Page::Part& part : page.parts)
+      vertices.insert(vertices.end(), found.surfaces[part.primitive].begin(),
+                      found.surfaces[part.primitive].end());
+    page.label_vertices =
+        gpu::make_buffer(device, "surfaces label vertices", std::span<const io::LabelVertexIo>(vertices),
+                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   }
   asset.has_label_vertices = true;
 }

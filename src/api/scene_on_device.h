@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "dermis/asset.h"
 #include "passes/gpu_scene.h"
 #include "setup/environment_light.h"
 #include "setup/frame_data.h"
@@ -17,11 +18,12 @@ namespace dermis::api {
 /// An asset, examined and (once a frame has found room) on the device; shared by all that show it.
 struct SharedAsset {
   setup::Subject subject;
+  std::optional<Asset> source{};        ///< whose landmarks divide the skin; none: not asked for
   std::optional<passes::GpuScene> gpu;  ///< looks point into it: never moved
   /// one per skin mesh, once an environment was asked for; values are on the device only
   std::vector<environment::Occlusion> bent_normal;
   bool has_shape = false;           ///< vertices know the shape of the body, once a profile asked for it
-  bool has_label_vertices = false;  ///< GpuMesh's, of each skin mesh, once labels were asked for
+  bool has_label_vertices = false;  ///< of each skin mesh and page of surfaces, once labels were asked for
   double upload_ms = 0;
   bool warned_coarse = false;  ///< once is enough, however many views follow
 };

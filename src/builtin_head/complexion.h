@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Pigments of the skins of the built-in head: those of measured groups of
+// SPDX-License-Identifier: MIT
+// Pigments of the skins of the built-in head: those of measured groups of
 // people.
 #pragma once
 

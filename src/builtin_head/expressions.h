@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Movements of the face: displacements of points of the symmetric face, mm.
+// SPDX-License-Identifier: MIT
+// Movements of the face: displacements of points of the symmetric face, mm.
 #pragma once
 
 #include <array>

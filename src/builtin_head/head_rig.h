@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Rig of the built-in head: joints of neck, head, jaw and eyes, morph targets of
+// SPDX-License-Identifier: MIT
+// Rig of the built-in head: joints of neck, head, jaw and eyes, morph targets of
 // the face, and a clip.
 #pragma once
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The openings of the face: between the lids and between the lips. The net runs
+// SPDX-License-Identifier: MIT
+// The openings of the face: between the lids and between the lips. The net runs
 // through each of them as a pouch: over the edge, along the inner side, and behind the eyeball or into the
 // throat. So the skin stays one closed sheet with one chart. Nodes of the pouches are set, not relaxed.
 #pragma once

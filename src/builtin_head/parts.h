@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Parts of the head beside its skin: eyes with tears and caruncles, teeth, gums
+// SPDX-License-Identifier: MIT
+// Parts of the head beside its skin: eyes with tears and caruncles, teeth, gums
 // and tongue, brows and lashes.
 #pragma once
 

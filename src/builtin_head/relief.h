@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Relief of the skin that is smaller than the sculpture: pores, the net of
+// SPDX-License-Identifier: MIT
+// Relief of the skin that is smaller than the sculpture: pores, the net of
 // furrows between them, and wrinkles where skin folds. Based on: [F15] Flament, Francois, Qiu et al.: Facial
 // skin pores: a multiethnic study. Clinical, Cosmetic and Investigational Dermatology 8, 2015 (visible pores
 // are wider than 0.25 mm) [O04] Otberg, Richter, Schaefer et al.: Variations of hair follicle size and

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT A square net drawn over the bust. Its left and right sides meet along the back
+// SPDX-License-Identifier: MIT
+// A square net drawn over the bust. Its left and right sides meet along the back
 // of the head, its upper side is folded in two over the crown and its lower side under the cut. This gives
 // one chart without overlap, one seam, and no pole where triangles would become needles.
 #pragma once

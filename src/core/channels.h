@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Names of the three channels of a colour, for messages.
+// SPDX-License-Identifier: MIT
+// Names of the three channels of a colour, for messages.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Points of a skin mesh on the centres of the texels of a map over its unwrap.
+// SPDX-License-Identifier: MIT
+// Points of a skin mesh on the centres of the texels of a map over its unwrap.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT A profile in the parameters of other systems, and back. Each convention is
+// SPDX-License-Identifier: MIT
+// A profile in the parameters of other systems, and back. Each convention is
 // taken from that system's own source or documentation; docs/exports.md cites them line by line. The output
 // says what a system cannot hold ("lost").
 #pragma once

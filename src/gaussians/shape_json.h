@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The medium of a profile, in its file: "medium" {sigma_a_per_mm [3],
+// SPDX-License-Identifier: MIT
+// The medium of a profile, in its file: "medium" {sigma_a_per_mm [3],
 // sigma_s_per_mm [3], g, eta}. Beside it "shape", the laws of ShapeLaws by the names of their members, each
 // [3].
 #pragma once

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Memory that the host writes anew for every frame, in one buffer: many small
+// SPDX-License-Identifier: MIT
+// Memory that the host writes anew for every frame, in one buffer: many small
 // arrays, one copy to the device. There is no allocation once it is as large as a frame needs.
 #pragma once
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The one-dimensional filters of FLIP. Every two-dimensional filter of the paper
+// SPDX-License-Identifier: MIT
+// The one-dimensional filters of FLIP. Every two-dimensional filter of the paper
 // is a product of two of these (or a sum of two products). So filtering along rows and then along columns
 // gives the same sums.
 #pragma once

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The background, where no surface covers a pixel.
+// SPDX-License-Identifier: MIT
+// The background, where no surface covers a pixel.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Smoothness of the curvature of a mesh: passes/curvature.
+// SPDX-License-Identifier: MIT
+// Smoothness of the curvature of a mesh: passes/curvature.
 #pragma once
 
 #include "scene/unwrap.h"

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Surfaces other than skin, on the device: vertices, triangles and placements of
+// SPDX-License-Identifier: MIT
+// Surfaces other than skin, on the device: vertices, triangles and placements of
 // all parts in a few large buffers. There is one draw per mesh and material, however many nodes show it. So
 // the cost of a frame depends on its triangles and materials, not on nodes.
 #pragma once
@@ -23,6 +24,7 @@ struct GpuSurfaces {
     gpu::Buffer vertex_extras;  ///< VertexExtraIo[]
     gpu::Buffer indices;        ///< uint[], into all vertices of the page
     gpu::Buffer placements;     ///< PlacementIo[]; the first leaves vertices where they are
+    gpu::Buffer label_vertices;  ///< LabelVertexIo[]; empty until labels are drawn
     /// Where vertices and placements come from, for poses: primitives in the order of their vertices, and the
     /// copy of one behind each placement but the first.
     struct Part {

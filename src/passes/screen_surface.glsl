@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Packs and reads what screen_surface_io.h stores per pixel.
+// SPDX-License-Identifier: MIT
+// Packs and reads what screen_surface_io.h stores per pixel.
 #include "passes/screen_surface_io.h"
 
 // Normals on an octahedron, unfolded. Based on: Cigolle, Donow, Evangelakos et al.: A Survey of Efficient

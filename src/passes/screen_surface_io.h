@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The skin of each pixel, for techniques in screen space:
+// SPDX-License-Identifier: MIT
+// The skin of each pixel, for techniques in screen space:
 // passes/screen_surface.h.
 #ifndef DERMIS_PASSES_SCREEN_SURFACE_IO_H
 #define DERMIS_PASSES_SCREEN_SURFACE_IO_H

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The tangent plane of a pixel's skin, in the picture. Needs `frame` and
+// SPDX-License-Identifier: MIT
+// The tangent plane of a pixel's skin, in the picture. Needs `frame` and
 // ScreenIo `io`.
 
 // Moves by one pixel on the tangent plane, mm of the asset.

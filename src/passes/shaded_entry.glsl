@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Content of an entry of a pixel: before it is shaded its id and its rank among
+// SPDX-License-Identifier: MIT
+// Content of an entry of a pixel: before it is shaded its id and its rank among
 // those of its part; afterwards its radiance as three half floats.
 #include "shared/entries_io.h"
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Targets of passes.
+// SPDX-License-Identifier: MIT
+// Targets of passes.
 #pragma once
 
 #include <array>

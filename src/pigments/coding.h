@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Volume fractions in a map of 8 bits: evenly in their logarithms, because equal
+// SPDX-License-Identifier: MIT
+// Volume fractions in a map of 8 bits: evenly in their logarithms, because equal
 // ratios look about equal.
 #pragma once
 

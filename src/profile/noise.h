@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Noise of a profile that was made by sampling.
+// SPDX-License-Identifier: MIT
+// Noise of a profile that was made by sampling.
 #pragma once
 
 #include <optional>

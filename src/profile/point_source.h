@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Light that a point source in a diffusing medium sends through a plane. Lengths
+// SPDX-License-Identifier: MIT
+// Light that a point source in a diffusing medium sends through a plane. Lengths
 // in mm, s = sigma_tr in 1/mm.
 #pragma once
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Light that leaves curved and thin bodies of a medium, relative to a flat
+// SPDX-License-Identifier: MIT
+// Light that leaves curved and thin bodies of a medium, relative to a flat
 // half-space. Laws with few constants, fitted to the walks of bench/shapes; docs/theory.md ("Shapes") derives
 // them and lists their errors. Based on: [K48] Kubelka: New Contributions to the Optics of Intensely
 // Light-Scattering Materials. J. Opt. Soc. Am. 38,

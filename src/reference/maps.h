@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Reads the maps of materials at a point, at full resolution. There are no mip
+// SPDX-License-Identifier: MIT
+// Reads the maps of materials at a point, at full resolution. There are no mip
 // levels, because a pixel is the mean of many points. A function of a map (a power of its colour, a highlight
 // on its normals) differs from the function of its mean.
 #pragma once

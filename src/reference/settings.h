@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Input of the reference: a scene, with the camera and lights of the real-time
+// SPDX-License-Identifier: MIT
+// Input of the reference: a scene, with the camera and lights of the real-time
 // techniques.
 #pragma once
 

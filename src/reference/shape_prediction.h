@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Light on simple bodies as real-time techniques compute it: the profile of a
+// SPDX-License-Identifier: MIT
+// Light on simple bodies as real-time techniques compute it: the profile of a
 // half-space, blurred over the surface, and the laws of shape on top. In closed form, for errors against
 // reference/shapes.h.
 #pragma once

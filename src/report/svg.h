@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Parts of charts: the scale of an axis, its ticks, and the elements of SVG.
+// SPDX-License-Identifier: MIT
+// Parts of charts: the scale of an axis, its ticks, and the elements of SVG.
 // Positions are in the units of the picture, which are pixels where there is room. `style` is the rest of an
 // element's attributes, as they stand in the file.
 #pragma once

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Charts that lie on each other in the texture coordinates (mirrored halves of a
+// SPDX-License-Identifier: MIT
+// Charts that lie on each other in the texture coordinates (mirrored halves of a
 // face, say) have places of their own in the light map. Else each would show the light of the other.
 #pragma once
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Limits of a scene, whether a file or a host gives it.
+// SPDX-License-Identifier: MIT
+// Limits of a scene, whether a file or a host gives it.
 #pragma once
 
 #include <cstddef>

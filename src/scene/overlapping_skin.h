@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Finds skin that cannot share a light map: materials of one node whose charts
+// SPDX-License-Identifier: MIT
+// Finds skin that cannot share a light map: materials of one node whose charts
 // lie at the same place. Characters have them whose head and body each fill a map of their own.
 #pragma once
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Content of an asset: heads and their other parts, maps, lights, cameras. All
+// SPDX-License-Identifier: MIT
+// Content of an asset: heads and their other parts, maps, lights, cameras. All
 // in the world at rest: nodes as they stand, skins and morph targets applied, mirrored nodes wound
 // counter-clockwise. Only meshes that several nodes share stay in their own coordinates, with a list of
 // placements. Metres, right-handed, +Y up. No Vulkan here.

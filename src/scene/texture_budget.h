@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Selects the pictures of a source that a scene keeps, and their sizes: all maps
+// SPDX-License-Identifier: MIT
+// Selects the pictures of a source that a scene keeps, and their sizes: all maps
 // together stay within a budget.
 #pragma once
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Connections of the triangles of a mesh: across edges, and in charts of the
+// SPDX-License-Identifier: MIT
+// Connections of the triangles of a mesh: across edges, and in charts of the
 // unwrap.
 #pragma once
 

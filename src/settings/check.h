@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Holds settings against the ranges and names of their rows.
+// SPDX-License-Identifier: MIT
+// Holds settings against the ranges and names of their rows.
 #pragma once
 
 #include <string>

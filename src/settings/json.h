@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Settings as JSON: an object per section, null where a setting has no value.
+// SPDX-License-Identifier: MIT
+// Settings as JSON: an object per section, null where a setting has no value.
 // Values that are written are read back to the last bit.
 #pragma once
 

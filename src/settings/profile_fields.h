@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Inputs of profiles, a row for each.
+// SPDX-License-Identifier: MIT
+// Inputs of profiles, a row for each.
 #pragma once
 
 #include "core/fields.h"

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Members of instances and lights in a scene file, a row for each. Scene holds
+// SPDX-License-Identifier: MIT
+// Members of instances and lights in a scene file, a row for each. Scene holds
 // the ranges.
 #pragma once
 

@@ -3,7 +3,7 @@
 /// dermis::dermis implements it (src/api/prepare/preparation.cpp), dermis::draw does not.
 #pragma once
 
-#include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,11 +12,18 @@
 #include "dermis/asset.h"
 #include "environment/environment.h"
 #include "environment/occlusion.h"
+#include "passes/labels/labels_io.h"
 #include "scene/curvature.h"
 #include "scene/scene.h"
 #include "scene/unwrap.h"
 
 namespace dermis::setup {
+
+/// For labels, at the vertices of an asset.
+struct LabelVertices {
+  std::vector<std::vector<io::LabelVertexIo>> skin;      ///< of each skin mesh
+  std::vector<std::vector<io::LabelVertexIo>> surfaces;  ///< of each primitive; empty where it is skin
+};
 
 /// Each throws as the function that it stands for.
 struct Preparation {
@@ -24,7 +31,9 @@ struct Preparation {
   environment::Occlusion (*occlusion)(const scene::Scene&, const scene::SkinMesh&,
                                       const environment::OcclusionSettings&);
   std::vector<scene::VertexShape> (*body_shape)(const scene::Scene&, const scene::SkinMesh&);
-  std::vector<std::vector<glm::vec2>> (*parts_of_skin)(const scene::Scene&, std::span<const scene::SkinMesh>);
+  /// `asset`: whose landmarks divide the face; none: it is not divided.
+  LabelVertices (*label_vertices)(const scene::Scene&, std::span<const scene::SkinMesh>,
+                                  const std::optional<Asset>& asset);
   void (*repaint)(scene::Scene&, const SceneOptions&);  ///< other melanin and haemoglobin
 };
 

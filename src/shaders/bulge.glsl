@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Height of the rounded surface, for which a triangle stands, above it. Shadows
+// SPDX-License-Identifier: MIT
+// Height of the rounded surface, for which a triangle stands, above it. Shadows
 // are looked up from there: where light grazes a bent surface, its flat triangles would shadow themselves.
 // Based on: [H21] Hanika: Hacking the Shadow Terminator. Ray Tracing Gems II, 2021, ch. 4, which lifts a
 // point to the tangent plane of each corner that lies above it. Here the mean of the three planes lifts it,

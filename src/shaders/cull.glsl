@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Finds triangles of a head that no pixel can show. Based on: [JG08] sec. 3,
+// SPDX-License-Identifier: MIT
+// Finds triangles of a head that no pixel can show. Based on: [JG08] sec. 3,
 // where a texel is culled if its interpolated normal is more than 105 degrees from the (constant) view axis.
 // On a coarse mesh that culls visible texels, so here whole triangles are culled. All their vertex normals
 // are more than 105 degrees from the true direction to the camera, and the triangle faces away. Needs

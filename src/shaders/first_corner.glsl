@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Vertices of draws with GpuMesh::first_corners, whose shaders know their
+// SPDX-License-Identifier: MIT
+// Vertices of draws with GpuMesh::first_corners, whose shaders know their
 // triangle. Index t is the first corner of triangle t, and of no other. Indices from triangle_count() on are
 // vertices without a triangle. Flat outputs are those of the first corner. Needs vertex_pull.glsl.
 layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };  // GpuMesh::indices

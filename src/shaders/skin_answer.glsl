@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Light from skin at a point beside scattered light: emission, and reflection of
+// SPDX-License-Identifier: MIT
+// Light from skin at a point beside scattered light: emission, and reflection of
 // the surroundings.
 #include "shaders/half.glsl"
 #include "shaders/skin_point.glsl"

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Skin under the lights of a frame: light enters, and light is reflected to the
+// SPDX-License-Identifier: MIT
+// Skin under the lights of a frame: light enters, and light is reflected to the
 // eye. Each light's shadow, which costs more than the rest, is evaluated once for both. Follows
 // skin_point.glsl.
 

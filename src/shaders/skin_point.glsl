@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Material of a point of skin and the light that enters there. The pass in
+// SPDX-License-Identifier: MIT
+// Material of a point of skin and the light that enters there. The pass in
 // texture space and direct shading per pixel share it, so that both show the same skin. Buffers are uniform,
 // not storage: some software devices read zeros from storage in helper invocations, which breaks texture
 // derivatives.

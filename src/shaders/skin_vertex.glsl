@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Attributes of vertices of skin, beside vertex_pull.glsl.
+// SPDX-License-Identifier: MIT
+// Attributes of vertices of skin, beside vertex_pull.glsl.
 #extension GL_EXT_samplerless_texture_functions : require
 layout(binding = 35) uniform utextureBuffer SkinVertices;  // SkinVertexIo[]
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Penumbrae of lights that are discs, which face the lit point. The map is
+// SPDX-License-Identifier: MIT
+// Penumbrae of lights that are discs, which face the lit point. The map is
 // back-projected onto the light: an occluder at a distance towards the light, beside the ray to its centre,
 // hides one point of the disc. In each of a few directions hidden points are collected as bits, so that
 // occluders behind each other do not count twice. Based on: [GBP06] Guennebaud, Barthe, Paulin: Real-time

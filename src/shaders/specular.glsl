@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Specular reflection of skin. Based on: [DLE07] d'Eon, Luebke, Enderton:
+// SPDX-License-Identifier: MIT
+// Specular reflection of skin. Based on: [DLE07] d'Eon, Luebke, Enderton:
 // Efficient Rendering of Human Skin, EGSR 2007 (GPU Gems 3, ch. 14.3). [WMLT07] Walter et al.: Microfacet
 // Models for Refraction through Rough Surfaces, EGSR 2007; [Hei14] Heitz: Understanding the Masking-Shadowing
 // Function, JCGT 3(2), 2014. The lobe is pi times a normalised Beckmann lobe, so rho_s = 0.18 is an energy

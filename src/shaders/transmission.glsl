@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT One read of a light's map for both of its uses: the share of the light that
+// SPDX-License-Identifier: MIT
+// One read of a light's map for both of its uses: the share of the light that
 // arrives where the surface faces it. For a surface that faces away, place and angle at which transmitted
 // light has entered. Translucent shadow maps; docs/techniques.md explains the design. Based on: [SD03]
 // Dachsbacher, Stamminger: Translucent Shadow Maps, EGSR 2003 (entering light is part of the shadow map, and

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Skin that a picture shows, before it is shaded: an id per sample, an entry for
+// SPDX-License-Identifier: MIT
+// Skin that a picture shows, before it is shaded: an id per sample, an entry for
 // each surface of a pixel, and the entries sorted by part. A part is a run of triangles of one material of a
 // skin mesh of a head; a run that is longer than ids can number is several parts.
 #ifndef DERMIS_SHARED_ENTRIES_IO_H

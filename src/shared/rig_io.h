@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Joints, skins and morph targets that move the vertices of an asset.
+// SPDX-License-Identifier: MIT
+// Joints, skins and morph targets that move the vertices of an asset.
 #ifndef DERMIS_SHARED_RIG_IO_H
 #define DERMIS_SHARED_RIG_IO_H
 #include "shared/types.h"

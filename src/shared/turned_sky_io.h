@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The sky, and the part of it that the skin of an asset sees, for skin that
+// SPDX-License-Identifier: MIT
+// The sky, and the part of it that the skin of an asset sees, for skin that
 // moves.
 #ifndef DERMIS_SHARED_TURNED_SKY_IO_H
 #define DERMIS_SHARED_TURNED_SKY_IO_H

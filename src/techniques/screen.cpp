@@ -12,6 +12,8 @@
 #include "passes/compose_entries/compose_entries.h"
 #include "passes/count/count.h"
 #include "passes/ids/ids.h"
+#include "passes/labels/front_layer.h"
+#include "passes/labels/front_planes.h"
 #include "passes/labels/label_planes.h"
 #include "passes/labels/labels.h"
 #include "passes/light_floats/light_floats.h"
@@ -313,12 +315,33 @@ std::vector<frame::TextureId> Screen::shadow_maps() const {
 }
 
 void Screen::add_labels(FrameOutputs& out) {
-  const passes::Labels::Out labels = plan_->add<passes::Labels>(
-      "labels", {}, {.width = settings_.width, .height = settings_.height, .labels = settings_.labels});
+  const std::uint32_t width = settings_.width, height = settings_.height, wanted = settings_.labels;
+  const bool has_front = (wanted & LABEL_FRONT_LAYER) != 0;
+  // Where the layer alone is wanted, one label is drawn all the same, for its depth.
+  const std::uint32_t behind = wanted & ~std::uint32_t{LABEL_FRONT_LAYER};
+  const passes::Labels::Out labels =
+      plan_->add<passes::Labels>("labels", {},
+                                 {.width = width,
+                                  .height = height,
+                                  .labels = behind != 0 ? behind : LABEL_INSTANCE,
+                                  .keeps_depth = has_front});
   out.labels = plan_
-                   ->add<passes::LabelPlanes>(
-                       "label planes", {labels.words},
-                       {.width = settings_.width, .height = settings_.height, .labels = settings_.labels})
+                   ->add<passes::LabelPlanes>("label planes", {labels.words},
+                                              {.width = width, .height = height, .labels = wanted})
+                   .planes;
+  if (!has_front) return;
+
+  using Shows = passes::FrontLayer::Shows;
+  const auto layer = [&](const char* name, Shows shows) {
+    return plan_
+        ->add<passes::FrontLayer>(name, {labels.depth}, {.width = width, .height = height, .shows = shows})
+        .layer;
+  };
+  const frame::TextureId coverage = layer("front coverage", Shows::coverage);
+  const frame::TextureId parts = layer("front parts", Shows::part);
+  out.labels = plan_
+                   ->add<passes::FrontPlanes>("front planes", {coverage, parts, out.labels},
+                                              {.width = width, .height = height, .labels = wanted})
                    .planes;
 }
 

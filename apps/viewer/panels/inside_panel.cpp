@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Parts of a picture: its maps, the cost of each pass, values under the pointer.
+// SPDX-License-Identifier: MIT
+// Parts of a picture: its maps, the cost of each pass, values under the pointer.
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Saves documents as files.
+// SPDX-License-Identifier: MIT
+// Saves documents as files.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

@@ -18,7 +18,9 @@ constexpr LabelForm forms[] = {
     {Output::depth, {"Z"}, 1e-4},     {Output::normal, {"X", "Y", "Z"}, 1.0 / 32767, 1 + 1.0 / 32767},
     {Output::uv, {"U", "V"}},         {Output::region, {"id"}, 1},
     {Output::skin_mesh, {"id"}, 1},   {Output::unwrap, {"U", "V"}},
-    {Output::thickness, {"Y"}, 1e-3}, {Output::matte, {"A"}, 1.0 / 65535}};
+    {Output::thickness, {"Y"}, 1e-3}, {Output::matte, {"A"}, 1.0 / 65535},
+    {Output::part, {"id"}, 1},        {Output::front, {"A"}, 1.0 / 65535},
+    {Output::front_part, {"id"}, 1}};
 
 double number_at(const Results& results, const OutputRow& row, std::size_t i) {
   const std::byte* bytes = results.bytes(row.output).data();
@@ -63,6 +65,13 @@ std::vector<std::uint16_t> png_values(const Results& results, const LabelForm& i
 Json label_json(const OutputRow& row) {
   Json json{{"about", row.help}};
   if (*row.unit != 0) json["unit"] = row.unit;
+  if (row.output == Output::part || row.output == Output::front_part) {
+    for (const PartRow& part : part_rows()) {
+      json["names"].push_back(part.name);
+      json["classes"]["FaceSynthetics"].push_back(part.face_synthetics);
+      json["classes"]["CelebAMask-HQ"].push_back(part.celeba_mask_hq);
+    }
+  }
   if (row.output == Output::region) json["names"] = {"no skin", "nose", "ear", "other skin"};
   if (row.output == Output::normal)
     json["about"] =

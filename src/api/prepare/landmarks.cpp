@@ -45,11 +45,13 @@ class DepthPicture {
       : depth_m_(depth_m), width_(width), height_(height) {}
 
   bool shows(double x, double y, double depth_m) const {
-    const double column = std::round(x), row = std::round(y);
-    if (!(column >= 0 && column < width_ && row >= 0 && row < height_)) return false;
-    const int i = static_cast<int>(column), j = static_cast<int>(row);
-    const double slope_m = std::max(change_m(i, j, 1, 0), change_m(i, j, 0, 1));
-    return std::abs(at(i, j) - depth_m) <= std::max(1e-3, slope_m);
+    // Also keeps numbers within integers, and those that are none out.
+    if (!(x > -1 && x < width_ && y > -1 && y < height_)) return false;
+    const int left = static_cast<int>(std::floor(x)), up = static_cast<int>(std::floor(y));
+    for (const int j : {up, up + 1})
+      for (const int i : {left, left + 1})
+        if (fits(i, j, depth_m)) return true;
+    return false;
   }
 
  private:
@@ -57,6 +59,10 @@ class DepthPicture {
     if (i < 0 || i >= width_ || j < 0 || j >= height_) return std::numeric_limits<double>::infinity();
     return depth_m_[static_cast<std::size_t>(j) * static_cast<std::size_t>(width_) +
                     static_cast<std::size_t>(i)];
+  }
+  bool fits(int i, int j, double depth_m) const {
+    const double slope_m = std::max(change_m(i, j, 1, 0), change_m(i, j, 0, 1));
+    return std::abs(at(i, j) - depth_m) <= std::max(1e-3, slope_m);
   }
   double change_m(int i, int j, int across, int down) const {
     const double here = at(i, j);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "setup/preparation.h"
 
+#include "api/prepare/face_parts.h"
 #include "core/cache.h"
+#include "core/hooks.h"
 #include "environment/body_shape.h"
 #include "pigments/maps.h"
 #include "regions/parts.h"
@@ -16,6 +18,34 @@ environment::Occlusion occlusion(const scene::Scene& scene, const scene::SkinMes
 
 std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh) {
   return environment::cached_body_shape(scene, mesh, cache::default_folder());
+}
+
+setup::LabelVertices label_vertices(const scene::Scene& scene, std::span<const scene::SkinMesh> skin,
+                                    const std::optional<Asset>& asset) {
+  const FaceParts face(asset);
+  const std::vector<std::vector<glm::vec2>> parts = regions::parts_of_skin(scene, skin);
+  Steps steps("the shape of the body", skin.size());
+  setup::LabelVertices found{
+      .skin = std::vector<std::vector<io::LabelVertexIo>>(skin.size()),
+      .surfaces = std::vector<std::vector<io::LabelVertexIo>>(scene.primitives.size())};
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    const std::vector<scene::VertexShape> shape = body_shape(scene, skin[i]);
+    for (std::size_t v = 0; v < parts[i].size(); ++v) {
+      io::LabelVertexIo vertex = face.of_skin(skin[i].vertices[v].position_m);
+      vertex.part = parts[i][v];
+      vertex.thickness_mm = shape[v].thickness_mm;
+      found.skin[i].push_back(vertex);
+    }
+    steps.done();
+  }
+
+  for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+    const scene::Primitive& primitive = scene.primitives[i];
+    if (scene.materials[static_cast<std::size_t>(primitive.material)].skin) continue;
+    for (const scene::Vertex& vertex : primitive.vertices)
+      found.surfaces[i].push_back(face.of_surface(scene, primitive, vertex.position_m));
+  }
+  return found;
 }
 
 void repaint(scene::Scene& scene, const SceneOptions& options) {
@@ -34,7 +64,7 @@ const dermis::setup::Preparation* dermis_preparation() {
   static constexpr setup::Preparation all{.environment = environment::from_name_or_file,
                                           .occlusion = api::occlusion,
                                           .body_shape = api::body_shape,
-                                          .parts_of_skin = regions::parts_of_skin,
+                                          .label_vertices = api::label_vertices,
                                           .repaint = api::repaint};
   return &all;
 }

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Light of a texel, E albedo^mix / pi 2^EV: the input of the convolution.
+// SPDX-License-Identifier: MIT
+// Light of a texel, E albedo^mix / pi 2^EV: the input of the convolution.
 // GROUPS: of the profile's terms that transmitted light joins, each with a target (passes/transmission.h); 0:
 // no transmitted light. Alpha is the number of the chart; BORDER_ALPHA where the alpha test cuts the skin
 // away. Texels that are not written stay unlit.

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Passes over the lit tiles of a square find here the triangle of a texel, which
+// SPDX-License-Identifier: MIT
+// Passes over the lit tiles of a square find here the triangle of a texel, which
 // the map of texels names (passes/texel_map). They find its vertices' values at the centre of the texel, too.
 // Needs scene_io.h; COMPUTE_SHADING is defined.
 #include "passes/irradiance/texels_io.h"

@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: MIT Turns pixels that hold several labels into planes that hold one each, as the
-// caller of a session reads them. Planes follow the order of the bits; the region, the last, has a byte per
-// pixel.
+// SPDX-License-Identifier: MIT
+// Turns pixels that hold several labels into planes that hold one each, as the caller of a session reads
+// them, in the order of their bits. The region, the last, has a byte per pixel. front_planes.comp writes
+// those of the blended layer.
 #version 460
 #include "passes/labels/label_planes_io.h"
 #include "passes/labels/labels_io.h"
@@ -32,6 +33,10 @@ void copy_label(uint label, int words, ivec2 p) {
   used += words;
 }
 
+void leave_plane(uint label) {
+  if ((labels & label) != 0u) first += pixels;
+}
+
 // The first of four pixels writes the bytes of all.
 void copy_regions() {
   if ((labels & LABEL_REGION) == 0u || pixel % 4u != 0u) return;
@@ -59,5 +64,8 @@ void main() {
   copy_label(LABEL_DEPTH, 1, p);
   copy_label(LABEL_SKIN_MESH, 1, p);
   copy_label(LABEL_THICKNESS, 1, p);
+  copy_label(LABEL_PART, 1, p);
+  leave_plane(LABEL_FRONT);
+  leave_plane(LABEL_FRONT_PART);
   copy_regions();
 }

@@ -59,8 +59,8 @@ Labels::Out Labels::declare(frame::Declare& d) {
     d.colour(out_.words[i]);
   }
   desc.format = depth_format;
-  depth_ = d.create("label depths", desc);
-  d.depth(depth_);
+  out_.depth = d.create("label depths", desc);
+  d.depth(out_.depth);
   return out_;
 }
 
@@ -89,7 +89,8 @@ void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fram
     targets.push_back(
         {.texture = &resources.texture(out_.words[i]),
          .clear = std::array{clear[4 * i], clear[4 * i + 1], clear[4 * i + 2], clear[4 * i + 3]}});
-  const gpu::DepthTarget depth{.texture = &resources.texture(depth_), .clear = 0.0f, .store = false};
+  const gpu::DepthTarget depth{
+      .texture = &resources.texture(out_.depth), .clear = 0.0f, .store = settings.keeps_depth};
 
   cmd.begin_rendering(targets, depth, {settings.width, settings.height});
   for (const Instance& instance : frame.instances) {
@@ -127,21 +128,27 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
   for (const GpuSurfaces::Group& group : surfaces.groups) {
     const GpuMaterial& material = instance.look->material(group.material);
     const gpu::Pipeline& pipeline = *pipeline_of(material, false);
-    Bindings bindings;
-    bindings.add("Frame", frame.frame_io)
-        .add("Head", instance.io)
-        .add("LabelVertices", instance.scene->unmoved)  // any buffers: only skin reads these
-        .add("SkinVertices", surfaces.pages[group.page].vertex_extras);
-    offer_page(instance, group.page, bindings);
-    offer_before(instance, instance.scene->skin.size() + group.page, instance.scene->unmoved, bindings);
-    bindings.add("BeforePlacements", instance.placements_before.empty()
-                                         ? placements_of(instance, group.page)
-                                         : instance.placements_before[group.page]);
-    material.offer(bindings);
-    bindings.bind(cmd, pipeline);
+    bind_label_surface(cmd, pipeline, frame, instance, group.page, material, needs_body(settings.labels));
     cmd.push(pipeline, labels_io(settings, instance, material, 0));
     for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
+}
+
+void bind_label_surface(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const FrameData& frame,
+                        const Instance& instance, std::uint32_t page, const GpuMaterial& material,
+                        bool body) {
+  const GpuSurfaces::Page& of_page = instance.scene->surfaces.pages[page];
+  Bindings bindings;
+  bindings.add("Frame", frame.frame_io)
+      .add("Head", instance.io)
+      .add("LabelVertices", body ? of_page.label_vertices : instance.scene->unmoved)
+      .add("SkinVertices", of_page.vertex_extras);  // any buffer: only skin reads it
+  offer_page(instance, page, bindings);
+  offer_before(instance, instance.scene->skin.size() + page, instance.scene->unmoved, bindings);
+  bindings.add("BeforePlacements", instance.placements_before.empty() ? placements_of(instance, page)
+                                                                      : instance.placements_before[page]);
+  material.offer(bindings);
+  bindings.bind(cmd, pipeline);
 }
 
 }  // namespace dermis::passes

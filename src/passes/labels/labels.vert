@@ -9,7 +9,7 @@
 #include "passes/labels/labels_io.h"
 layout(constant_id = 0) const bool skin = false;
 layout(constant_id = 3) const bool body = false;  // LabelVertices are there
-layout(binding = 34, scalar) readonly buffer LabelVertices { LabelVertexIo label_vertices[]; };  // of skin
+layout(binding = 34, scalar) readonly buffer LabelVertices { LabelVertexIo label_vertices[]; };
 layout(binding = 36, scalar) readonly buffer BeforePositions { vec3 before_m[]; };
 layout(binding = 37, scalar) readonly buffer BeforePlacements { PlacementIo before_placements[]; };
 layout(binding = 38, scalar) uniform Before { LabelsBeforeIo before; };
@@ -20,7 +20,9 @@ layout(location = 3) out vec4 out_colour;
 layout(location = 4) out vec2 out_part;
 layout(location = 5) out vec4 out_clip;
 layout(location = 6) out vec4 out_clip_before;
-layout(location = 7) out vec3 out_body;  // unwrap, thickness in mm
+layout(location = 7) out vec4 out_body;  // unwrap, thickness in mm, how far on the left
+layout(location = 8) out vec4 out_face;  // LabelVertexIo
+layout(location = 9) flat out uint out_kind;
 
 // The same products and sums for both frames: what stands still has a motion of 0 exactly.
 vec4 clip_at(mat4 clip_from_world, InstanceIo i, PlacementIo placement, vec3 position_m) {
@@ -35,13 +37,18 @@ void main() {
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
   out_part = vec2(-1.0);
-  out_body = vec3(0.0);
-  if (skin) {
-    out_body.xy = unwrap_of(gl_VertexIndex);
-    if (body) {
-      const LabelVertexIo label = label_vertices[gl_VertexIndex];
+  out_body = vec4(0.0);
+  out_face = vec4(-1.0);
+  out_kind = 0u;
+  if (skin) out_body.xy = unwrap_of(gl_VertexIndex);
+  if (body) {
+    const LabelVertexIo label = label_vertices[gl_VertexIndex];
+    out_kind = label.kind;
+    if (skin) {
       out_part = label.part;
       out_body.z = label.thickness_mm * INSTANCE.scale;
+      out_body.w = label.left;
+      out_face = label.face;
     }
   }
 

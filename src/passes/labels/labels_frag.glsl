@@ -16,7 +16,9 @@ layout(location = 3) in vec4 in_colour;
 layout(location = 4) in vec2 in_part;  // distance inside nose and ear
 layout(location = 5) in vec4 in_clip;
 layout(location = 6) in vec4 in_clip_before;
-layout(location = 7) in vec3 in_body;        // unwrap, thickness in mm
+layout(location = 7) in vec4 in_body;        // unwrap, thickness in mm, how far on the left
+layout(location = 8) in vec4 in_face;        // LabelVertexIo
+layout(location = 9) flat in uint in_kind;
 layout(location = 0) out uvec4 out_words_0;  // of the labels that are drawn
 #if TARGETS > 1
 layout(location = 1) out uvec4 out_words_1;
@@ -38,6 +40,15 @@ bool is_cut_in_picture() {
 uint region() {
   if (!skin) return 0u;
   return in_part.x > 0.0 ? LABEL_REGION_NOSE : in_part.y > 0.0 ? LABEL_REGION_EAR : LABEL_REGION_OTHER_SKIN;
+}
+
+uint part() {
+  if (!skin) return in_kind;
+  if (in_part.x > 0.0) return LABEL_PART_NOSE;
+  if (in_part.y > 0.0) return LABEL_PART_RIGHT_EAR + (in_body.w >= 0.0 ? 1u : 0u);
+  if (in_face.z > 0.0) return LABEL_PART_MOUTH;
+  if (in_face.x > 0.0) return in_face.y > 0.0 ? LABEL_PART_UPPER_LIP : LABEL_PART_LOWER_LIP;
+  return in_face.w > 0.0 ? LABEL_PART_NECK : LABEL_PART_FACE;
 }
 
 // From where the point was in the frame before to where it is, pixels, y down; infinity if it lay behind the
@@ -85,6 +96,7 @@ void main() {
   if (draws(LABEL_DEPTH)) put(dot(in_position_m - frame.camera.eye_m, frame.camera.direction));
   if (draws(LABEL_SKIN_MESH)) put(io.skin_mesh);
   if (draws(LABEL_THICKNESS)) put(in_body.z);
+  if (draws(LABEL_PART)) put(part());
   if (draws(LABEL_REGION)) put(region());
 
   out_words_0 = four_words(0);

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Shades the entries of a part as skin_radiance.glsl with no terms, but by
+// SPDX-License-Identifier: MIT
+// Shades the entries of a part as skin_radiance.glsl with no terms, but by
 // tables in place of a blur. Light that enters has scattered over a ball as bent as the skin here, and over
 // the edges of shadows. THROUGH: with transmitted light. Based on: [Pen11] and [FW14] of
 // gaussians/pre_integrated.h.

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Shades the entries of a part as skin_radiance.glsl with no terms, but in
+// SPDX-License-Identifier: MIT
+// Shades the entries of a part as skin_radiance.glsl with no terms, but in
 // parts: techniques in screen space blur what enters before it leaves. Light to be blurred goes to images,
 // the rest to the entries. THROUGH: with transmitted light. Based on: [JWS10] Jimenez, Whelan, Sundstedt,
 // Gutierrez: Real-Time Realistic Skin Translucency. CG&A 30(4), 2010

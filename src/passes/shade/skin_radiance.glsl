@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Light from the skin to the camera: the scattered light of its texels, the part
+// SPDX-License-Identifier: MIT
+// Light from the skin to the camera: the scattered light of its texels, the part
 // of the albedo that is applied afterwards, two specular lobes, and emission. With no terms, the light that
 // enters at the pixel stands for that of texels. THROUGH: with transmitted light. Needs `io` (ShadeIo).
 #include "shaders/skin_answer.glsl"

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The part of the light on this texel's surface that enters the skin:
+// SPDX-License-Identifier: MIT
+// The part of the light on this texel's surface that enters the skin:
 // albedo^mix, stored as its square root, because eight bits then hold dark skin better. Nothing enters other
 // surfaces, nor the back of skin. There light first meets the inside of an open mesh, such as a bust or a
 // mask, and no body lies behind it. Cut-out parts are skipped. Alpha 1 marks shaded texels; a target of two

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Marks the tiles in which light of seen tiles continues beyond a seam. Also
+// SPDX-License-Identifier: MIT
+// Marks the tiles in which light of seen tiles continues beyond a seam. Also
 // those that lend light to texels of seen tiles with nothing of their own chart to repeat. Seen tiles are not
 // marked anew, so the order of invocations does not matter.
 #version 460

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Files that differ from the specification in something that the picture does
+// SPDX-License-Identifier: MIT
+// Files that differ from the specification in something that the picture does
 // not need are drawn, with a warning. docs/assets.md lists what, and what is refused.
 #pragma once
 

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT glTF is read through json::Value, which checks types, ranges and references
+// SPDX-License-Identifier: MIT
+// glTF is read through json::Value, which checks types, ranges and references
 // before anything is used, and names file and place in every error.
 //
 // Why not tinygltf: it skips optional members of a wrong type, reads files and decodes Draco before anything

@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Counts, for the statistics, lights that a texel faces away from and whose maps
+// SPDX-License-Identifier: MIT
+// Counts, for the statistics, lights that a texel faces away from and whose maps
 // do not hold it. Its position is outside, or the light that entered was not stored although there is a
 // surface.
 #version 460

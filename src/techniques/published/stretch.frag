@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT The stretch map, [DLE07] GPU Gems 3, ch. 14.4.2: how far a length on the skin
+// SPDX-License-Identifier: MIT
+// The stretch map, [DLE07] GPU Gems 3, ch. 14.4.2: how far a length on the skin
 // reaches on the map. The paper has two lengths, along u and v. Here it is the Cholesky factor of the inverse
 // metric, because u and v are far from perpendicular on unwraps of heads (median |cos| 0.35 on the scan). Per
 // metre, so that a half float holds heads and giants alike. Alpha: the number of the chart.

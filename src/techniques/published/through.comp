@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: MIT Translucent shadow maps for many lights, [JG08] sec. 7. A slab of thickness d,
+// SPDX-License-Identifier: MIT
+// Translucent shadow maps for many lights, [JG08] sec. 7. A slab of thickness d,
 // lit on its far side with B, shows sum_i w_i exp(-d^2 / 2 v_i) (G(v_i) * B). So every term of the profile
 // has light of its own, T_i.
 //

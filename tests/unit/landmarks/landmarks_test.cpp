@@ -84,8 +84,13 @@ TEST(Landmarks, OfTheBuiltInHeadAreThoseOfAFace) {
 TEST(Landmarks, OfHeadsOfOthersAreThoseOfAFace) {
   const auto folder = asset_cache();
   const std::vector<std::filesystem::path> files{
-      folder / "ict-facekit/ict-mean-animated.glb", folder / "makehuman/mh-african-man-young.glb",
-      folder / "makehuman/mh-asian-woman-young.glb", folder / "makehuman/mh-european-man-young.glb"};
+      folder / "ict-facekit/ict-mean-animated.glb",
+      folder / "makehuman/mh-african-man-young.glb",
+      folder / "makehuman/mh-asian-woman-young.glb",
+      folder / "makehuman/mh-european-man-young.glb",
+      folder / "makehuman/mh-african-man-young-sub1.glb",
+      folder / "makehuman/crowd/mh-crowd-african-man-old-lod0.glb",
+      folder / "makehuman/crowd/mh-crowd-european-woman-young-lod0.glb"};
   if (const std::string missing = missing_asset(files); !missing.empty()) GTEST_SKIP() << missing;
   for (const auto& file : files) {
     SCOPED_TRACE(file.filename());
@@ -178,21 +183,33 @@ TEST(Landmarks, AreProjectedAsTheCameraSays) {
 TEST(Landmarks, AreSeenWhereTheDepthIsTheirs) {
   const Shown s = shown();
   const Landmark tip = s.points(std::vector<float>(3600, nothing))[30];
-  const auto pixel = static_cast<std::size_t>(60 * std::lround(tip.y) + std::lround(tip.x));
+  const auto pixel = [&](double right, double down) {
+    return static_cast<std::size_t>(60 * std::floor(tip.y + down) + std::floor(tip.x + right));
+  };
   const auto with = [&](double behind_m, double right_m, double left_m) {
     std::vector<float> depth(3600, nothing);
-    depth[pixel] = static_cast<float>(tip.depth_m + behind_m);
-    depth[pixel + 1] = static_cast<float>(tip.depth_m + behind_m + right_m);
-    depth[pixel - 1] = static_cast<float>(tip.depth_m + behind_m + left_m);
+    depth[pixel(0, 0)] = static_cast<float>(tip.depth_m + behind_m);
+    depth[pixel(1, 0)] = depth[pixel(2, 0)] = static_cast<float>(tip.depth_m + behind_m + right_m);
+    depth[pixel(-1, 0)] = static_cast<float>(tip.depth_m + behind_m + left_m);
     return s.points(depth)[30].seen;
   };
   EXPECT_TRUE(with(0, 0, 0));
   EXPECT_TRUE(with(0.0009, 0, 0)) << "within 1 mm";
   EXPECT_FALSE(with(0.0011, 0, 0));
   EXPECT_FALSE(with(-0.0011, 0, 0)) << "something stands before it";
-  EXPECT_TRUE(with(-0.004, 0.005, -0.005)) << "a slope of 5 mm per pixel";
-  EXPECT_FALSE(with(-0.006, 0.005, -0.005));
+  EXPECT_TRUE(with(-0.0049, -0.005, 0.005)) << "a slope of 5 mm per pixel";
+  EXPECT_FALSE(with(-0.006, -0.005, 0.005));
   EXPECT_FALSE(with(-0.004, 0.5, 0.0001)) << "an edge on one side is no slope";
+
+  // Any of the four pixels around it, and no other.
+  const auto alone = [&](double right, double down) {
+    std::vector<float> depth(3600, nothing);
+    depth[pixel(right, down)] = static_cast<float>(tip.depth_m);
+    return s.points(depth)[30].seen;
+  };
+  for (const double right : {-1, 0, 1, 2})
+    for (const double down : {-1, 0, 1, 2})
+      EXPECT_EQ(alone(right, down), (right == 0 || right == 1) && (down == 0 || down == 1));
 }
 
 TEST(Landmarks, OfAHiddenInstanceAreNotSeen) {
