@@ -12,5 +12,7 @@ void add_profiles(nanobind::module_& m);
 void add_scenes(nanobind::module_& m);
 void add_renderers(nanobind::module_& m);
 void add_reference(nanobind::module_& m);
+void add_compare(nanobind::module_& m);
+void add_exchange(nanobind::module_& m);
 
 }  // namespace dermis::python
