@@ -76,6 +76,29 @@ def radiance(name: str, value: Any) -> NDArray[np.float32]:
     return out
 
 
+def picture(name: str, value: Any) -> NDArray[np.uint8] | NDArray[np.float32]:
+    """Returns uint8 or float32 (H, W, 3 or 4), contiguous. Raises InputError: another type or shape, a value
+    that is not finite."""
+    array = _as_array(name, value)
+    if array.ndim != 3 or array.shape[2] not in (3, 4) or array.size == 0:
+        raise _core.InputError(f"{name} must have the shape (H, W, 3 or 4), got {array.shape}")
+    if array.dtype == np.uint8:
+        return np.ascontiguousarray(array)
+    if array.dtype.kind != "f":
+        raise _core.InputError(
+            f"{name} must be uint8 (display values) or float (linear light), got {array.dtype}"
+        )
+    return as_float32(name, array)
+
+
+def light(name: str, value: Any) -> NDArray[np.float32]:
+    """Returns float32 (H, W, 3 or 4), contiguous. Raises InputError as picture() does, and for uint8."""
+    found = picture(name, value)
+    if found.dtype == np.uint8:
+        raise _core.InputError(f"{name} must be linear light, float, got uint8")
+    return found.astype(np.float32, copy=False)
+
+
 def matrix(name: str, value: Any) -> list[float]:
     """Returns a 4x4 matrix column by column."""
     array = _as_array(name, value)

@@ -16,5 +16,7 @@ NB_MODULE(_core, m) {
   dermis::python::add_landmarks(m);
   dermis::python::add_renderers(m);
   dermis::python::add_reference(m);
+  dermis::python::add_compare(m);
+  dermis::python::add_exchange(m);
   m.def("end_threads", &dermis::python::end_threads, "Waits for work that was left behind.");
 }

@@ -13,5 +13,7 @@ void add_scenes(nanobind::module_& m);
 void add_landmarks(nanobind::module_& m);
 void add_renderers(nanobind::module_& m);
 void add_reference(nanobind::module_& m);
+void add_compare(nanobind::module_& m);
+void add_exchange(nanobind::module_& m);
 
 }  // namespace dermis::python

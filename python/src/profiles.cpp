@@ -43,6 +43,7 @@ void add_profiles(nb::module_& m) {
       .def_ro("total_reflectance", &ScatterProfile::total_reflectance)
       .def_ro("mean_free_path_mm", &ScatterProfile::mean_free_path_mm)
       .def_ro("diffuse_mean_free_path_mm", &ScatterProfile::diffuse_mean_free_path_mm)
+      .def_prop_ro("has_curves", [](const ScatterProfile& p) { return p.model_curves != nullptr; })
       .def("reflectance",
            [](const ScatterProfile& profile, double r_mm) { return reflectance(profile, r_mm); })
       .def("save",

@@ -49,3 +49,10 @@ def test_samples_are_labelled(tmp_path: Path) -> None:
         points = (points * sample["depth"][y, x, None] - sample["t"]) @ sample["R"]
         bounds = dermis.Asset.load("built-in").bounds
         assert np.linalg.norm(points - bounds.centre_m, axis=-1).max() < 3 * bounds.radius_m
+
+
+def test_techniques_are_compared(tmp_path: Path) -> None:
+    rows = [line.split() for line in run("error_table.py", tmp_path).splitlines()]
+    skin = {row[0]: float(row[2]) for row in rows if row[1] == "skin"}
+    assert set(skin) == {"texture-space", "separable", "lambert"}
+    assert skin["texture-space"] < skin["lambert"]

@@ -2,6 +2,7 @@
 // Implements include/dermis/profile.h.
 #include <algorithm>
 
+#include "api/profile_curves.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/hooks.h"
@@ -22,11 +23,6 @@
 
 namespace dermis {
 
-struct ModelCurves {
-  explicit ModelCurves(std::array<profile::ProfilePtr, 3> of) : profiles(std::move(of)) {}
-  std::array<profile::ProfilePtr, 3> profiles;
-};
-
 namespace {
 
 profile::MonteCarloOptions photons_of(const ProfileOptions& options) {
@@ -35,9 +31,11 @@ profile::MonteCarloOptions photons_of(const ProfileOptions& options) {
 
 static_assert(std::get<0>(fields_of<ProfileOptions>).about.most == gaussians::max_terms);
 
-/// Fits the profiles. `medium` is the modelled medium; if it is null, `eta` is the index of the surface.
-ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& made,
-                      const optics::RgbMedium* medium, double eta, const ProfileOptions& options) {
+}  // namespace
+
+ScatterProfile api::fitted_profile(const std::string& name, const profile::ModelledProfiles& made,
+                                   const optics::RgbMedium* medium, double eta,
+                                   const ProfileOptions& options) {
   const gaussians::SumOfGaussians sum =
       gaussians::fit_shared(made.profiles, options.gaussians, name, options.fit);
   ScatterProfile out = gaussians::scatter_profile(sum);
@@ -65,13 +63,11 @@ ScatterProfile finish(const std::string& name, const profile::ModelledProfiles& 
   return out;
 }
 
-ScatterProfile of_medium(const std::string& name, const optics::RgbMedium& medium,
-                         const ProfileOptions& options) {
-  return finish(name, make_profiles(medium, options.model, photons_of(options), name), &medium, medium[0].eta,
-                options);
+ScatterProfile api::profile_of_medium(const std::string& name, const optics::RgbMedium& medium,
+                                      const ProfileOptions& options) {
+  return fitted_profile(name, make_profiles(medium, options.model, photons_of(options), name), &medium,
+                        medium[0].eta, options);
 }
-
-}  // namespace
 
 // All options are checked before the work: Monte-Carlo takes seconds.
 
@@ -80,12 +76,12 @@ ScatterProfile profile_of_preset(const std::string& name, const ProfileOptions& 
   check_ranges(options);
   if (name == "skin-layers") {
     const optics::RgbLayers skin = optics::donner_jensen_skin();
-    return finish(name, make_profiles(skin, options.model, photons_of(options), name), nullptr,
-                  skin.front().eta, options);
+    return api::fitted_profile(name, make_profiles(skin, options.model, photons_of(options), name), nullptr,
+                               skin.front().eta, options);
   }
   const optics::Material* material = optics::find_material(name);
   if (material == nullptr) optics::unknown_preset(name);
-  return of_medium(name, material->medium(), options);
+  return api::profile_of_medium(name, material->medium(), options);
 }
 
 ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const ProfileOptions& options,
@@ -93,7 +89,7 @@ ScatterProfile profile_of_coefficients(const Coefficients& coefficients, const P
   const HookScope scope(hooks);
   check_ranges(options);
   check_ranges(coefficients);
-  return of_medium("coefficients", optics::rgb_medium(coefficients), options);
+  return api::profile_of_medium("coefficients", optics::rgb_medium(coefficients), options);
 }
 
 ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& options, const Hooks& hooks) {
@@ -102,8 +98,8 @@ ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& o
   check_ranges(skin);
   const optics::Skin inner = optics::skin_of(skin);
   const std::string name = fmt::format("spectral skin, melanin {:.4g}", skin.melanin);
-  return finish(name, make_profiles(inner, options.model, photons_of(options), name), nullptr, inner.eta,
-                options);
+  return api::fitted_profile(name, make_profiles(inner, options.model, photons_of(options), name), nullptr,
+                             inner.eta, options);
 }
 
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e, const Hooks& hooks) {

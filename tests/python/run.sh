@@ -5,7 +5,7 @@ set -euo pipefail
 source_folder=$1 build=$2
 
 status=0
-packages=(pytest mypy pyelftools pillow tqdm OpenEXR)
+packages=(pytest mypy pyelftools pillow tqdm OpenEXR flip-evaluator matplotlib)
 python=$("$source_folder/tools/python_module.sh" "$build" "$build/python" "${packages[@]}") || status=$?
 [[ $status == 0 ]] || exit "$status"
 export DERMIS_PROGRAM=$build/dermis
