@@ -15,5 +15,6 @@ NB_MODULE(_core, m) {
   dermis::python::add_scenes(m);
   dermis::python::add_renderers(m);
   dermis::python::add_reference(m);
+  dermis::python::add_datasets(m);
   m.def("end_threads", &dermis::python::end_threads, "Waits for work that was left behind.");
 }

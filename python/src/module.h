@@ -12,5 +12,6 @@ void add_profiles(nanobind::module_& m);
 void add_scenes(nanobind::module_& m);
 void add_renderers(nanobind::module_& m);
 void add_reference(nanobind::module_& m);
+void add_datasets(nanobind::module_& m);
 
 }  // namespace dermis::python

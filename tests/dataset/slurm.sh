@@ -49,7 +49,9 @@ is_drawing() { [[ -n $(worker_of "$1") ]] && compgen -G "$set/train-$2.tar.*" > 
 check "the first task draws" await 120 is_drawing 0-4 000000
 check "the second task draws" await 120 is_drawing 5-9 000005
 kill -9 "$(worker_of 0-4)"
-kill -9 "$(ps -o ppid= -p "$(worker_of 5-9)" | tr -d ' ')"
+# Without control groups the worker of a dead script would go on: here both end, as where there are some.
+second=$(worker_of 5-9)
+kill -9 "$(ps -o ppid= -p "$second" | tr -d ' ')" "$second"
 
 is_over() { [[ -z $(squeue -h -j "$job" 2> /dev/null) ]]; }
 check "the array ends" await 900 is_over
