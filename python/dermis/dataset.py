@@ -6,8 +6,8 @@
 >>> dermis.dataset.write("faces")                  # draws the shards that are missing
 >>> assert dermis.dataset.verify("faces").faults == []
 
-A sample is a function of the recipe and its number. Shards are tars as WebDataset reads them, equal to the byte
-however they were drawn, on one class of device.
+A sample is a function of the recipe and its number. Shards are tars as WebDataset reads them, equal to the
+byte however they were drawn, on one class of device.
 """
 
 from __future__ import annotations
@@ -20,8 +20,10 @@ from typing import Any
 
 from . import _core
 from ._asset import Path
+from ._core import DatasetBenchmark as Benchmark
+from ._core import DatasetVerified as Verified
+from ._core import TryAgain
 from ._progress import Progress, progress_of
-from ._core import DatasetBenchmark as Benchmark, DatasetVerified as Verified, TryAgain
 
 __all__ = [
     "Benchmark",
@@ -44,7 +46,8 @@ TryAgain.__module__ = "dermis.dataset"
 
 
 class Recipe:
-    """A recipe, read from its file or from a prepared folder. Raises InputError: file, place, what is wrong."""
+    """A recipe, read from its file or from a prepared folder. Raises InputError: file, place, what is
+    wrong."""
 
     def __init__(self, path: Path) -> None:
         text = os.fspath(path)
@@ -66,7 +69,7 @@ class Recipe:
         return range(first, first + count)
 
     def file_of(self, shard: int) -> str:
-        """"train-000012.tar"."""
+        """Name of its tar: train-000012.tar."""
         return self._core.file_of(shard)
 
     def __repr__(self) -> str:
@@ -91,26 +94,31 @@ def prepare(
     device: str = "best",
     progress: Progress | bool | None = None,
 ) -> Recipe:
-    """Checks a recipe, draws a sample of each asset, and makes the folder with recipe.lock.json: SHA-256 of all
-    files, licences, class of the device. `one_device`: workers on another class are refused. Raises InputError:
-    a mistake in the recipe, an asset without licence or one that cannot be drawn; DeviceError."""
+    """Checks a recipe, draws a sample of each asset, and makes the folder with recipe.lock.json: SHA-256
+    of all files, licences, class of the device. `one_device`: workers on another class are refused.
+    Raises InputError: a mistake in the recipe, an asset without licence or one that cannot be drawn;
+    DeviceError."""
     _core.dataset_prepare(os.fspath(recipe), os.fspath(folder), one_device, device, progress_of(progress))
     return Recipe(folder)
 
 
 def write(
     folder: Path,
-    shards: Iterable[int] = (),
+    shards: Iterable[int] | None = None,
     *,
     device: str = "best",
     threads: int = 0,
     progress: Progress | bool | None = None,
 ) -> Written:
-    """Draws shards that are missing; none given: all, but those that other workers draw now. `threads` encode
-    pictures, 0: one for each core. Raises InputError: the folder is not prepared, a file has changed since;
-    TryAgain: the disk is full, the device lost twice, the work was ended. No shard is half-written."""
+    """Draws shards that are missing; None: all, but those that other workers draw now. `threads` encode
+    pictures, 0: one for each core. Raises InputError: the folder is not prepared, a file has changed
+    since; TryAgain: the disk is full, the device lost twice, the work was ended. No shard is
+    half-written."""
+    numbers = [] if shards is None else list(shards)
+    if shards is not None and not numbers:
+        return Written()
     return Written(
-        *_core.dataset_write(os.fspath(folder), list(shards), device, threads, progress_of(progress))
+        *_core.dataset_write(os.fspath(folder), numbers, device, threads, progress_of(progress))
     )
 
 
@@ -126,8 +134,9 @@ def verify(
     device: str = "best",
     progress: Progress | bool | None = None,
 ) -> Verified:
-    """Reads all shards: hashes, members, every JSON against the recipe; draws a share of the samples again, at
-    least one, equal to the bit on the class of device that drew them. `faults` has a line for each fault."""
+    """Reads all shards: hashes, members, every JSON against the recipe; draws a share of the samples
+    again, at least one, equal to the bit on the class of device that drew them. `faults` has a line for
+    each fault."""
     return _core.dataset_verify(os.fspath(folder), redraw, device, progress_of(progress))
 
 
@@ -140,13 +149,14 @@ def slurm(
     tasks: int = 1000,
     device: str = "best",
 ) -> str:
-    """The text of a job script for sbatch: an array of at most `tasks` workers, each `program dataset write`. A
-    task whose worker was killed or could not go on requeues itself, at most three times."""
+    """The text of a job script for sbatch: an array of at most `tasks` workers, each `program dataset
+    write`. A task whose worker was killed or could not go on requeues itself, at most three times."""
     return _core.dataset_slurm(os.fspath(folder), program, partition, minutes, tasks, device)
 
 
 def sheet(folder: Path, *, samples: int = 60) -> str:
-    """A page, HTML: at most so many samples with labels over them, histograms of all parameters, licences."""
+    """A page, HTML: at most so many samples with labels over them, histograms of all parameters,
+    licences."""
     return _core.dataset_sheet(os.fspath(folder), samples)
 
 
@@ -164,17 +174,18 @@ def bench(
     threads: int = 0,
     progress: Progress | bool | None = None,
 ) -> Benchmark:
-    """Draws samples in turns as write() does and by a bare session, and says where the time goes, seconds."""
+    """Draws samples in turns as write() does and by a bare session, and says where the time goes,
+    seconds."""
     return _core.dataset_bench(os.fspath(recipe), samples, device, threads, progress_of(progress))
 
 
 def dask(
     folder: Path, client: Any, *, device: str = "best", threads: int = 0, retries: int = 3
 ) -> Written:
-    """Draws what is missing on the workers of a dask.distributed.Client, and returns what they did. The folder
-    must have one name on all machines. A worker draws a run of shards at a time, so that it opens the device
-    and loads heads once for several. What fails is tried again, at most `retries` times; Dask itself gives the
-    tasks of a worker that died to others. Raises what a worker raised in the end."""
+    """Draws what is missing on the workers of a dask.distributed.Client, and returns what they did. The
+    folder must have one name on all machines. A worker draws a run of shards at a time, so that it opens
+    the device and loads heads once for several. What fails is tried again, at most `retries` times; Dask
+    itself gives the tasks of a worker that died to others. Raises what a worker raised in the end."""
     left = missing(folder)
     workers = max(1, sum(client.nthreads().values()))
     size = max(1, -(-len(left) // (4 * workers)))

@@ -78,6 +78,7 @@ def test_is_prepared_drawn_and_verified(tmp_path: Path, program: Path) -> None:
     assert (recipe.samples, recipe.shards, recipe.identities) == (12, 4, 1)
     assert recipe.parameters(7)["settings"] == dermis.dataset.Recipe(path).parameters(7)["settings"]
     assert dermis.dataset.missing(tmp_path / "set") == [0, 1, 2, 3]
+    assert dermis.dataset.write(tmp_path / "set", []) == dermis.dataset.Written()
     assert dermis.dataset.write(tmp_path / "set", [2]) == dermis.dataset.Written(1, 3, 0, 0)
     assert dermis.dataset.write(tmp_path / "set").there == 1
     found = dermis.dataset.verify(tmp_path / "set", redraw=0.5)
