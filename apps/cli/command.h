@@ -19,6 +19,7 @@ namespace dermis::cli {
 
 void add_bench_command(CLI::App& app, int& exit_status);
 void add_compare_command(CLI::App& app, int& exit_status);
+void add_dataset_command(CLI::App& app, int& exit_status);
 void add_demo_command(CLI::App& app, int& exit_status);
 void add_info_command(CLI::App& app, int& exit_status);
 void add_plan_command(CLI::App& app, int& exit_status);

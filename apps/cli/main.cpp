@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   dermis::cli::add_profile_command(app, exit_status);
   dermis::cli::add_compare_command(app, exit_status);
   dermis::cli::add_bench_command(app, exit_status);
+  dermis::cli::add_dataset_command(app, exit_status);
   dermis::cli::add_demo_command(app, exit_status);
   dermis::cli::add_info_command(app, exit_status);
 

@@ -18,5 +18,6 @@ NB_MODULE(_core, m) {
   dermis::python::add_reference(m);
   dermis::python::add_compare(m);
   dermis::python::add_exchange(m);
+  dermis::python::add_datasets(m);
   m.def("end_threads", &dermis::python::end_threads, "Waits for work that was left behind.");
 }

@@ -15,5 +15,6 @@ void add_renderers(nanobind::module_& m);
 void add_reference(nanobind::module_& m);
 void add_compare(nanobind::module_& m);
 void add_exchange(nanobind::module_& m);
+void add_datasets(nanobind::module_& m);
 
 }  // namespace dermis::python

@@ -6,9 +6,18 @@
 #include <memory>
 #include <utility>
 
+#include "core/error.h"
+
 namespace dermis::dataset {
+namespace {
+
+constexpr int most_threads = 4096;
+
+}  // namespace
 
 Encoders::Encoders(const Recipe::State& recipe, int threads) : recipe_(recipe) {
+  if (threads < 0 || threads > most_threads)
+    throw input_error("", "threads must be 0 to {}, got {}", most_threads, threads);
   const unsigned count = threads > 0 ? static_cast<unsigned>(threads) : std::thread::hardware_concurrency();
   for (unsigned i = 0; i < std::max(count, 1u); ++i) threads_.emplace_back([this] { work(); });
 }

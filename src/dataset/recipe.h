@@ -76,8 +76,8 @@ struct HeadPlace {
 RenderSettings settings_of(const Recipe::State& recipe, const Json& settings);
 SceneOptions options_of(const Recipe::State& recipe, const Json& options);
 HeadPlace head_of(const Json& head);
-/// The morph weights of the identity, then what the pose says.
-RigPose pose_of(const Json& morphs, const Json& pose);
+/// The morph weights of the identity, then what the pose says. None: nothing moves.
+std::optional<RigPose> pose_of(const Json& morphs, const Json& pose);
 
 /// Holds the ends of all distributions against the rows of the settings. InputError names the place.
 void check_values(const Recipe::State& recipe);

@@ -119,11 +119,12 @@ HeadPlace head_of(const Json& tree) {
   return head;
 }
 
-RigPose pose_of(const Json& morphs, const Json& tree) {
+std::optional<RigPose> pose_of(const Json& morphs, const Json& tree) {
   RigPose pose;
   with_value(morphs, "morphs", [&](const json::Value& value) { add_weights(value, pose); });
   with_value(tree, "pose", [&](const json::Value& value) { add_pose(value, pose); });
-  return pose;
+  const bool moves = pose.clip || !pose.weights.empty() || !pose.joints.empty();
+  return moves ? std::optional(pose) : std::nullopt;
 }
 
 void check_values(const Recipe::State& recipe) {

@@ -104,9 +104,7 @@ Ordered Studio::ordered(const Place& place) {
 
   Kept& head = head_of_sample(identity);
   const InstanceId id = head.scene.instances().front();
-  const RigPose pose = pose_of(identity["morphs"], out.json["pose"]);
-  const bool moves = pose.clip || !pose.weights.empty() || !pose.joints.empty();
-  head.scene.set_pose(id, moves ? std::optional(pose) : std::nullopt);
+  head.scene.set_pose(id, pose_of(identity["morphs"], out.json["pose"]));
   head.scene.set_transform(id, turned_about(head.centre_m, stands.turn_deg));
   head.scene.set_tint(id, stands.tint);
   head.scene.set_mix(id, stands.mix);

@@ -32,6 +32,7 @@ class TarReader {
   /// kind of entry, bytes after the end.
   explicit TarReader(const std::filesystem::path& path);
 
+  const std::filesystem::path& path() const { return path_; }
   const std::vector<File>& files() const { return files_; }
   std::vector<std::byte> read(const File& file);
 

@@ -52,6 +52,8 @@ complete dermis profile --preset skin
 check "presets" offers skin-layers
 complete dermis render --specular ''
 check "words of a switch" offers off
+complete dermis dataset ver
+check "words that are no options" offers verify
 complete dermis render --optimise cull,de
 check "one more value of a list" offers cull,depth
 complete dermis render --size 6

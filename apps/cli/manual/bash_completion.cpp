@@ -61,17 +61,22 @@ std::string values_of(const OptionEntry& option) {
   std::string text;
   if (!option.words.empty()) text += fmt::format("values='{}' ", fmt::join(option.words, " "));
   if (option.takes_file) text += "files=f ";
-  if (option.takes_folder) text += "files=d ";
+  if (option.takes_folder && !option.takes_file) text += "files=d ";
   if (option.is_list && !option.words.empty()) text += "list=1 ";
   return text.empty() ? ": " : text;
 }
 
 std::string case_of(const CommandEntry& command) {
   std::vector<std::string> names;
-  std::string cases, positional = "files=f ";
+  std::string cases;
+  OptionEntry positional;  // of all words that are no options: a shell does not count them
+  bool has_positional = false;
   for (const OptionEntry& option : command.options) {
     if (option.is_positional) {
-      positional = values_of(option);
+      positional.words.insert(positional.words.end(), option.words.begin(), option.words.end());
+      positional.takes_file = positional.takes_file || option.takes_file;
+      positional.takes_folder = positional.takes_folder || option.takes_folder;
+      has_positional = true;
       continue;
     }
     names.insert(names.end(), option.names.begin(), option.names.end());
@@ -79,7 +84,7 @@ std::string case_of(const CommandEntry& command) {
       cases += fmt::format("    {}) {};;\n", fmt::join(option.names, "|"), values_of(option));
   }
   return fmt::format("  {})\n    case $option in\n{}    *) names='{}' {};;\n    esac\n    ;;\n", command.name,
-                     cases, fmt::join(names, " "), positional);
+                     cases, fmt::join(names, " "), has_positional ? values_of(positional) : "files=f ");
 }
 
 }  // namespace
