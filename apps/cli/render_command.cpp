@@ -110,7 +110,8 @@ void add_render_command(CLI::App& app, int& exit_status) {
            ->add_option("--labels", arguments->labels,
                         "labels of each pixel beside the picture, with a .json: layers of an .exr, or a "
                         "16-bit PNG each. A list of instance, material, depth, normal, uv, region, "
-                        "skin_mesh, unwrap, thickness, matte, part, front, front_part, landmarks (in the .json), or all")
+                        "skin_mesh, unwrap, thickness, matte, part, front, front_part, landmarks (in the "
+                        ".json), or all")
            ->type_name("NAME,..."));
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output")
       ->type_name("FILE");

@@ -61,9 +61,9 @@ struct AssetBounds {
 class Asset {
  public:
   /// Loads glTF 2.0, .gltf or .glb; or makes the built-in head of a skin: "built-in:light",
-  /// "built-in:medium", "built-in:dark", and one in each class of typology angles: "built-in:ita-very-light",
-  /// "ita-light", "ita-intermediate", "ita-tan", "ita-brown", "ita-dark". Warns of doubtful things. Takes
-  /// seconds with large maps. Throws
+  /// "built-in:medium", "built-in:dark". There is one in each class of typology angles, too:
+  /// "built-in:ita-very-light", "ita-light", "ita-intermediate", "ita-tan", "ita-brown", "ita-dark". Warns of
+  /// doubtful things. Takes seconds with large maps. Throws
   /// - InputError: one line with file and place;
   /// - Cancelled: a hook has ended the work.
   static Asset load(const std::filesystem::path& path, const SceneOptions& options = {},

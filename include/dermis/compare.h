@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How far pictures are apart: FLIP, relative squared error, PSNR; and every technique of a scene against its
+/// Distances of pictures: FLIP, relative squared error, PSNR. And every technique of a scene against its
 /// ground truth, as rows.
 ///
 ///   const dermis::Flip f = dermis::flip({truth.display_rgba, 512, 512}, {picture.display_rgba, 512, 512});
@@ -31,7 +31,7 @@ struct Pixels {
 using DisplayPixels = Pixels<std::uint8_t>;  ///< sRGB, as a display shows them
 using LinearPixels = Pixels<float>;          ///< linear light
 
-/// Which pixels count: empty (all), or one value per pixel, 0: it does not.
+/// Pixels that count: empty (all), or one value per pixel, 0: it does not.
 using PixelMask = std::span<const std::uint8_t>;
 
 /// FLIP: how large a difference looks to someone who flips between two pictures on a screen with 67 pixels
@@ -45,7 +45,7 @@ struct Flip {
 };
 
 // All throw InputError: sizes or channels that differ, values that are too few or too many, a value that is
-// not finite, a mask of another size or without a pixel.
+// not finite. Also a mask of another size or without a pixel.
 
 /// FLIP of display values [Andersson et al. 2020].
 Flip flip(const DisplayPixels& reference, const DisplayPixels& test, PixelMask mask = {});
@@ -61,7 +61,7 @@ double relative_mse(const LinearPixels& reference, const LinearPixels& test, Pix
 double relative_mse_less_noise(const LinearPixels& reference, const LinearPixels& variance,
                                const LinearPixels& test, PixelMask mask = {});
 
-/// What compare_scene() compares with what.
+/// Settings of compare_scene().
 struct SceneComparisonSettings {
   RenderSettings render;  ///< size, camera, lights, maps of all techniques; the technique itself is not used
   ReferenceSettings reference;
@@ -131,8 +131,8 @@ struct SceneComparison {
   std::vector<std::uint8_t> reference_display;  ///< RGBA
   std::vector<ComparedTechnique> techniques;
   std::vector<QualityPoint> curves;
-  /// What the reference's own noise adds up to, measured as an error: the reference against itself with noise
-  /// of its variance.
+  /// The reference's own noise, measured as an error: the reference against itself with noise of its
+  /// variance.
   std::optional<std::vector<std::optional<RegionError>>> noise;
 };
 

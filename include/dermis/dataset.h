@@ -53,7 +53,7 @@ class Recipe {
 
   const std::string& name() const;
   std::uint64_t samples() const;
-  std::uint64_t identities() const;       ///< how many are drawn from
+  std::uint64_t identities() const;       ///< number of those that are drawn from
   std::uint64_t shards() const;           ///< those of the split "train" first
   std::string sha256() const;             ///< of its values: not of spaces, comments and order
   std::string text() const;               ///< JSON, its keys sorted
@@ -78,14 +78,14 @@ class Recipe {
   std::shared_ptr<const State> state_;
 };
 
-/// How the work is done; no picture depends on it.
+/// Options of the work; no picture depends on them.
 struct Options {
   std::string device = "best";  ///< as Renderer::Options::device
   int threads = 0;              ///< that encode pictures; 0: one for each core
   Hooks hooks{};                ///< progress counts samples; `stop` ends after the sample that is drawn
 };
 
-/// Checks the recipe, loads each asset once and draws a sample of each; writes recipe.lock.json into the
+/// Checks the recipe, loads each asset once and draws a sample of each. Writes recipe.lock.json into the
 /// folder, which it makes: the recipe, SHA-256 of all files that it names, licences, the class of the device.
 /// `one_device`: workers on another class are then refused. Throws InputError: see Recipe; an asset without
 /// licence, or one that cannot be drawn (names entry, sample and parameter); a folder that holds another
@@ -125,8 +125,8 @@ struct Verified {
 };
 
 /// Reads all shards: hashes, members, every JSON against the recipe. Then draws `redrawn_share` of the
-/// samples again, at least one: equal to the bit on the class of device that drew them, else within 2 of 255
-/// on average over the display values. 0: draws none, and needs no device.
+/// samples again, at least one. They must be equal to the bit on the class of device that drew them, else
+/// within 2 of 255 on average over the display values. 0: draws none, and needs no device.
 Verified verify(const std::filesystem::path& folder, double redrawn_share = 1e-3,
                 const Options& options = {});
 
@@ -138,7 +138,7 @@ struct SlurmOptions {
   std::uint64_t most_tasks = 1000;  ///< of the array; more shards than that share tasks
   std::string device = "best";
 };
-/// Returns a job script for all shards of a folder, which needs nothing of the administrator: a task whose
+/// Returns a job script for all shards of a folder, which needs nothing of the administrator. A task whose
 /// worker was killed or cannot go on requeues itself, at most three times.
 std::string slurm_script(const std::filesystem::path& folder, const SlurmOptions& options = {});
 

@@ -45,9 +45,9 @@ struct Landmark {
   double x = 0, y = 0;
   double depth_m = 0;  ///< along the axis of the camera
   /// The picture shows the point: one of the four pixels around it has its depth within 1 mm, or within the
-  /// change of depth to the next pixel where that is more (of two opposite neighbours the nearer one counts,
-  /// of rows and columns the larger change). Blended parts such as lashes hide nothing. A landmark of a
-  /// hidden instance is not seen.
+  /// change of depth to the next pixel where that is more. Of two opposite neighbours the nearer one counts,
+  /// of rows and columns the larger change. Blended parts such as lashes hide nothing. A landmark of a hidden
+  /// instance is not seen.
   bool seen = false;
 };
 
@@ -55,10 +55,9 @@ class Landmarks {
  public:
   static constexpr std::size_t count = 70;
 
-  /// Returns the landmarks of an asset: those that the built-in head has, those of NAME.landmarks.json beside
-  /// its file NAME.gltf or NAME.glb, or those of a head that the library knows by its triangles
-  /// (assets/heads). None: there are none. Throws InputError in one line: the file is faulty, or of another
-  /// head.
+  /// Returns the landmarks of an asset: those of the built-in head, or of NAME.landmarks.json beside its file
+  /// NAME.gltf or NAME.glb. Else those of a head that the library knows by its triangles (assets/heads).
+  /// None: there are none. Throws InputError in one line: the file is faulty, or of another head.
   static std::optional<Landmarks> of(const Asset& asset);
   /// Reads them from a file. Throws InputError likewise.
   static Landmarks load(const Asset& asset, const std::filesystem::path& file);

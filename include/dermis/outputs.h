@@ -163,7 +163,8 @@ struct Results {
   /// else is what the name of its primitive or material says (eye, iris, teeth, tongue, brow, lash, hair
   /// ...); the side is that on which it lies at rest.
   std::span<std::uint32_t> part;
-  /// What blended parts before that cover of the pixel's middle, by their alpha, 0 to 1; as half floats.
+  /// Share of the pixel's middle that blended parts before that cover, by their alpha, 0 to 1; as half
+  /// floats.
   std::span<float> front;
   /// A Part: of the nearest blended part that covers a half or more. `nothing`: there is none.
   std::span<std::uint32_t> front_part;

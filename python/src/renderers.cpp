@@ -35,7 +35,7 @@ struct Engine {
   std::shared_ptr<Renderer> renderer;
 };
 
-/// What a session has drawn last. A frame of the same settings, assets and surroundings makes nothing anew.
+/// The last draw of a session. A frame of the same settings, assets and surroundings makes nothing anew.
 struct Drawn {
   const RenderSettings* settings = nullptr;
   std::vector<Asset> assets;

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 constexpr auto between_looks = 50ms;  // at signals
 constexpr auto patience = 500ms;      // until what was stopped has ended
 
-/// What a thread does, and what came of it.
+/// Task of a thread, and its result.
 struct Task {
   std::function<void()> work;
   std::exception_ptr thrown;

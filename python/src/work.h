@@ -15,7 +15,7 @@
 
 namespace dermis::python {
 
-/// What one thread at a time may use: a renderer with its sessions, or one call.
+/// One thread at a time may use this: a renderer with its sessions, or one call.
 struct Desk {
   std::atomic<bool> stop = false;  ///< ends what works: dermis::Hooks::stop
   std::mutex mutex;

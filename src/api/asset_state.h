@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What an Asset holds, for the library and its tests.
+/// State of an Asset, for the library and its tests.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace dermis {
 
 struct Asset::State {
-  /// What an asset was loaded from.
+  /// Source of an asset.
   struct Source {
     std::filesystem::path file;  ///< absolute; empty: built in
     SceneOptions options;

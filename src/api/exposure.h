@@ -8,7 +8,7 @@
 
 namespace dermis::api {
 
-/// What white skin would show on average: the mean luminance over the skin in the picture lands at this share
+/// White skin would show this on average: the mean luminance over the skin in the picture lands at this share
 /// of its reflectance. Skin under twice the mean light then still shows its own colour, below white.
 inline constexpr double exposed_light = 0.5;
 

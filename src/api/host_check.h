@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a host may give to a frame. All throw InputError, and name what is wrong.
+/// Checks of the inputs of a host. All throw InputError, and name what is wrong.
 #pragma once
 
 #include <span>

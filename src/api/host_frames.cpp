@@ -27,7 +27,7 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
   HostImages next_images;
   const setup::HostSetup host = host_setup(options, wanted, settings, wanted_inputs, next_images);
 
-  // What stands may point to the images of before until this has gone well.
+  // The plan of before may point to the images of before until this has gone well.
   frame.set(wanted, settings, host);
   images = std::move(next_images);
   // Unready until all below is done: any of it may throw.

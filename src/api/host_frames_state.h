@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What HostFrames keep: a plan, memory for each frame in flight, and what the host gave.
+/// State of HostFrames: a plan, memory for each frame in flight, and the inputs of the host.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ using HostImages = std::vector<std::unique_ptr<gpu::Texture>>;
 struct HostFrames::State {
   State(std::shared_ptr<Renderer::State> renderer, const Options& wanted);
 
-  /// What one frame in flight has for itself.
+  /// Memory of one frame in flight.
   struct Slot {
     Slot(gpu::Device& device, std::size_t number) : memory(device, fmt::format("frame {}", number)) {}
     gpu::FrameMemory memory;

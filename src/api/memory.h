@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whoever runs out of memory wants to know over which file.
+// Errors of memory name the file over which it ran out.
 #pragma once
 
 #include <new>

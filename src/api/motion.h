@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How the instances of a frame stood in the frame before, for labels of motion.
+/// Instances as they stood in the frame before, for labels of motion.
 #pragma once
 
 #include <map>
@@ -19,8 +19,8 @@ namespace dermis::api {
 class Motion {
  public:
   /// Writes Instance::before and Instance::placements_before of `data`, whose instances have their poses, and
-  /// remembers this frame. `ids`: of all instances of `placed`. What an instance was in the frame before
-  /// counts if it was of the same asset.
+  /// remembers this frame. `ids`: of all instances of `placed`. An instance of the frame before counts if it
+  /// was of the same asset.
   void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, const setup::PlacedScene& placed,
             const std::vector<InstanceId>& ids, passes::FrameData& data);
 

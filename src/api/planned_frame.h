@@ -19,7 +19,7 @@
 
 namespace dermis::api {
 
-/// What recording a frame has counted.
+/// Counts of recording a frame.
 struct RecordCounts {
   std::uint64_t shadow_maps = 0;  ///< layers that were drawn
   RecordedWork work;
@@ -89,7 +89,7 @@ class PlannedFrame {
   double pipeline_ms() const { return pipeline_ms_; }
 
  private:
-  /// What a setup is made of.
+  /// Inputs of a setup.
   struct Input {
     setup::PlacedScene placed;
     std::vector<const setup::Subject*> subjects;  // of scene_, one per instance

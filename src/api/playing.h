@@ -15,14 +15,13 @@ struct Playing {
   std::string clip;  ///< empty: the first
 };
 
-/// Returns the options with which a scene is loaded that is to play: the asset at the begin of its clip, so
-/// that what is found of its shape once (framing, gutters, what it sees of the sky) does not depend on the
-/// time.
+/// Returns the options with which a scene is loaded that is to play: the asset at the begin of its clip. So
+/// framing, gutters and occlusion, which are found once, do not depend on the time.
 SceneOptions at_begin(SceneOptions wanted);
 
-/// Returns the instances of a scene, loaded with at_begin(wanted), that play the clip of `wanted`: all but
-/// those that a scene file holds in a pose or at a time of their own. None if `wanted` names neither clip nor
-/// time.
+/// Returns the instances of a scene, loaded with at_begin(wanted), that play the clip of `wanted`. These are
+/// all but those that a scene file holds in a pose or at a time of their own. None if `wanted` names neither
+/// clip nor time.
 std::vector<Playing> playing(const Scene& scene, const SceneOptions& wanted);
 
 /// Poses them. Throws InputError as Scene::set_pose().

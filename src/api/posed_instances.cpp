@@ -247,7 +247,7 @@ void PosedInstances::record(gpu::Cmd& cmd) {
   };
   if (std::none_of(instances_.begin(), instances_.end(), is_pending)) return;
 
-  // What reads the buffers in the frame before waits here.
+  // Readers of the buffers in the frame before are waited for.
   cmd.barrier_all();
   passes::FrameData data;
   for (const Current& current : instances_) {
@@ -283,7 +283,7 @@ void PosedInstances::add_placements(gpu::FrameMemory& memory, const Current& cur
 
 void PosedInstances::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data,
                           bool measured) {
-  // What is not seen is moved when it is.
+  // Instances that are not seen are moved when they are.
   std::vector<bool> seen(instances_.size(), false), moves(instances_.size(), false);
   for (const setup::HeadSetup& head : setup.heads)
     if (head.visible) seen[head.instance] = true;

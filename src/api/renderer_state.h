@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a renderer owns, and its prepared frames share: the device, pipelines, and the assets that are on the
+// State of a renderer, which its prepared frames share: the device, pipelines, and the assets that are on the
 // device.
 #pragma once
 

@@ -104,7 +104,7 @@ void add_welded(gpu::Device& device, SharedAsset& asset) {
     asset.gpu->make_welded(device, i, asset.subject.skin[i]);
 }
 
-// What instances share, by what they must have in common: a scene may have thousands of either.
+// Objects that instances share, by their common key: a scene may have thousands of either.
 template <class Shared, class Key>
 class SharedBy {
  public:

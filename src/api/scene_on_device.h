@@ -39,7 +39,7 @@ struct SharedLook {
   passes::GpuLook look;
 };
 
-/// What the skin of an asset sees of the sky, for instances that are turned alike.
+/// The sky that the skin of an asset sees, for instances that are turned alike.
 struct SharedSky {
   AssetPointer asset;
   setup::SkyOnSkin sky;
@@ -65,10 +65,10 @@ class SceneOnDevice {
   }
   double upload_ms() const;
 
-  /// Brings the scene to the device, but for what is there, also of `before`, the same frame's last scene:
-  /// assets, looks, with an environment what the skin sees of it, with labels the parts of the skin, and the
-  /// gutters for heads `drawn`.
-  /// With a `host`: its maps, and all also for instances that the camera does not see.
+  /// Brings the scene to the device: assets, looks, and the gutters for heads `drawn`. With an environment
+  /// also what the skin sees of it, with labels the parts of the skin. Leaves out what is there, also of
+  /// `before`, the same frame's last scene. With a `host`: its maps, and all also for instances that the
+  /// camera does not see.
   void upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene, const RenderSettings& settings,
               const setup::FrameSetup& setup, std::span<const techniques::DrawnHead> drawn,
               const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before,

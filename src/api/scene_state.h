@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a Scene holds, and how the rest of the library reads it.
+/// State of a Scene, and its readers in the rest of the library.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@
 namespace dermis {
 namespace {
 
-// What one frame in flight has for itself.
+// Memory of one frame in flight.
 struct Slot {
   Slot(gpu::Device& device, std::size_t number) : memory(device, fmt::format("frame {}", number)) {}
 

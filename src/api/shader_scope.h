@@ -7,8 +7,8 @@
 namespace dermis::api {
 
 /// Renderers that this thread makes as long as the scope lives draw with these shaders, by name
-/// ("blur.comp"); an empty span keeps ours. The spans must stay valid as long as the renderers. What makes a
-/// pipeline of a shader whose interface differs throws InputError. Scopes nest.
+/// ("blur.comp"); an empty span keeps ours. The spans must stay valid as long as the renderers. Calls that
+/// make a pipeline of a shader whose interface differs throw InputError. Scopes nest.
 class ShaderScope {
  public:
   explicit ShaderScope(gpu::ShaderSource shaders);

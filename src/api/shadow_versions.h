@@ -14,9 +14,9 @@ namespace dermis::api {
 
 class ShadowVersions {
  public:
-  /// Sets passes::Instance::shadow_version of the heads of a frame. A head has the number that it had in the
-  /// frame before if nothing that casts its shadows, and no light, has moved or changed since, and a new one
-  /// else; 0 where a host may change it unseen, and in plans that keep no maps.
+  /// Sets passes::Instance::shadow_version of the heads of a frame. A head keeps the number of the frame
+  /// before if nothing that casts its shadows, and no light, has moved or changed since. Else it has a new
+  /// one. It is 0 where a host may change it unseen, and in plans that keep no maps.
   void fill(const setup::FrameSetup& setup, const SceneOnDevice& scene, const setup::PlacedScene& placed,
             const setup::HostSetup* host, passes::FrameData& data);
 

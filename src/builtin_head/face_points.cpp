@@ -33,7 +33,7 @@ const std::vector<Marked> left_half = {
     {55, {18, -74.4f, 92}},   {56, {9, -77.8f, 97}},       {57, {0, -78.6f, 98}},
 };
 
-// Which landmark stands where this one stands, on the other half.
+// Returns the landmark that stands where this one stands, on the other half.
 constexpr std::size_t opposite(std::size_t number) {
   constexpr std::array<std::array<std::size_t, 2>, 5> sums{
       {{16, 16}, {26, 43}, {35, 66}, {54, 102}, {59, 114}}};  // last of a group, sum of both numbers

@@ -22,8 +22,8 @@ constexpr std::array<const char*, 6> kind_names{"uniform", "whole",  "log_unifor
                                                 "normal",  "choice", "table"};
 constexpr double most_whole = 1e9;
 constexpr int most_attempts = 100'000;
-// What a normal distribution is to be cut to must hold a tenth of a deviation within two of them: it is hit
-// in one of 200 attempts.
+// The range to which a normal distribution is cut must hold a tenth of a deviation within two of them: it is
+// hit in one of 200 attempts.
 constexpr double within_deviations = 2, least_width = 0.1;
 
 std::optional<Kind> kind_of(const std::function<bool(const char*)>& has) {
@@ -263,7 +263,7 @@ std::vector<Json> extremes(const Json& tree, const std::string& path, std::size_
     for (const auto& [place, count] : picker.seen) {
       if (!known.insert(place).second) continue;
       for (std::size_t i = 1; i < count; ++i) {
-        // What led to this place stays picked.
+        // The picks that led to this place stay.
         waiting.push_back(picker.picked);
         waiting.back()[place] = i;
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands beside a shard: its hashes, its device, whose work it shows.
+// Manifest beside a shard: its hashes, its device, whose work it shows.
 #pragma once
 
 #include <cstdint>

@@ -42,8 +42,8 @@ std::vector<std::byte> encode_display(const Results& results) {
   return image::encode_png(picture);
 }
 
-// What the JSON of a sample says of each label: file, and the way from its values to numbers. The landmarks
-// of a sample belong beside them, once the library has points of a posed instance: they follow from the
+// Returns the labels in the JSON of a sample: file, and the way from its values to numbers. The landmarks of
+// a sample belong beside them, once the library has points of a posed instance: they follow from the
 // parameters and hash with these.
 Json labels_json(const Recipe::State& recipe, const std::string& stem) {
   Json labels = Json::object();

@@ -99,7 +99,7 @@ void read_size(const json::Value& root, Recipe::State& s) {
   s.height = static_cast<int>(size[1]);
 }
 
-// Which identities are of the test split depends on the seed and on how many there are.
+// The identities of the test split depend on the seed and on their number.
 void split(const json::Value& root, Recipe::State& s) {
   const std::uint64_t all = std::accumulate(s.entries.begin(), s.entries.end(), std::uint64_t{0},
                                             [](std::uint64_t sum, const Entry& e) { return sum + e.count; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a recipe says, as the rest of the room reads it.
+// A recipe, as the rest of the room reads it.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Entry {
   Json pose;             ///< likewise; null: that of the recipe
 };
 
-/// Which person, and which picture of it, a sample is.
+/// The person of a sample, and the picture of that person.
 struct Place {
   std::uint64_t sample = 0;
   std::uint64_t sitting = 0, view = 0;  ///< a sitting has views_per_identity views
@@ -64,7 +64,7 @@ struct Recipe::State {
   std::string file(const std::string& name) const;
 };
 
-/// How a head stands in the scene.
+/// Place of a head in the scene.
 struct HeadPlace {
   std::array<double, 3> turn_deg{0, 0, 0};  ///< yaw, pitch, roll about the middle of its sphere
   std::array<double, 3> tint{1, 1, 1};

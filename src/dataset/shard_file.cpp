@@ -66,7 +66,7 @@ int open_locked(const fs::path& temporary, const fs::path& path) {
     if (file < 0) try_again(path, "cannot be written", errno);
     // A file system without locks does without: then others wait for the hour.
     while (::flock(file, LOCK_EX) != 0 && errno == EINTR) continue;
-    // Whoever looks for files of dead workers may have taken this one between open and lock.
+    // Another worker that looks for files of dead ones may have taken this one between open and lock.
     if (is_at(temporary, file)) return file;
     ::close(file);
   }

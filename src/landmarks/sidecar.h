@@ -12,7 +12,7 @@
 
 namespace dermis::landmarks {
 
-/// What a mesh must have, so that landmarks of another head are told apart.
+/// Size of a mesh, so that landmarks of another head are told apart.
 struct MeshSize {
   int mesh = 0;
   std::size_t vertices = 0;  ///< those that a triangle uses

@@ -16,10 +16,10 @@ namespace dermis::regions {
 
 /// Of a vertex of skin, metres; each number is 0 at a border.
 struct FacePlace {
-  float lips = -1;           ///< how far inside the outline of the lips, and not behind them
+  float lips = -1;           ///< distance inside the outline of the lips, and not behind them
   float above_parting = -1;  ///< of the lips
-  float behind_lips = -1;    ///< how far inside their outline, and behind them
-  float below_jaw = -1;      ///< how far below the jaw line
+  float behind_lips = -1;    ///< distance inside their outline, and behind them
+  float below_jaw = -1;      ///< distance below the jaw line
   float left = 0;            ///< of the middle of the face, +X
 };
 

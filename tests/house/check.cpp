@@ -153,7 +153,7 @@ bool has_spdx(const SourceFile& file) {
   const std::string text =
       "SPDX-License-Identifier: "
       "MIT";
-  return file.lines.size() > line && file.lines[line].find(text) != std::string::npos;
+  return file.lines.size() > line && file.lines[line].ends_with(text);
 }
 
 }  // namespace

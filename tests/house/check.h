@@ -65,7 +65,8 @@ Violations check_words(const std::vector<SourceFile>& tree);
 /// languages (shared/ and *_io.h) open dermis::io by a macro.
 Violations check_namespaces(const std::vector<SourceFile>& tree);
 
-/// The SPDX line is the first of every source file (the second where a "#!" line has to be first).
+/// The SPDX line is the first of every source file (the second where a "#!" line has to be first), and ends
+/// with the licence.
 Violations check_licence(const std::vector<SourceFile>& tree);
 
 /// No path of the machine it was written on.

@@ -210,6 +210,10 @@ TEST(HouseCheck, FindsAMissingLicence) {
       .add("c.md", "words\n")
       .add("src/gpu/d.comp", "\n// " + spdx);
   EXPECT_TRUE(one_about(house::check_licence(tree.read()), "src/gpu/d.comp"));
+
+  MadeUpTree joined;
+  joined.add("src/gpu/e.h", "// " + spdx.substr(0, spdx.size() - 1) + " and more words\n");
+  EXPECT_TRUE(one_about(house::check_licence(joined.read()), "src/gpu/e.h"));
 }
 
 TEST(HouseCheck, FindsAMachinePath) {

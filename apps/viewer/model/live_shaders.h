@@ -27,7 +27,7 @@ class ShaderFolder {
  public:
   using Time = std::filesystem::file_time_type;
 
-  /// `folder`: what #include is relative to, as src/ is. `compiler`: glslc. What is newer than `built` counts
+  /// `folder`: what #include is relative to, as src/ is. `compiler`: glslc. A file newer than `built` counts
   /// as changed.
   ShaderFolder(std::filesystem::path folder, std::string compiler, Time built);
 

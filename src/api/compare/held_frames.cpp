@@ -22,7 +22,7 @@ std::size_t HeldFrames::add(const Scene& scene, const RenderSettings& settings) 
 Picture HeldFrames::warm_up(std::size_t i) {
   Entry& entry = entries_[i];
   Picture picture = prepared(entry).picture();
-  // What the device holds by now, this frame and those before it.
+  // Memory that the device holds by now, of this frame and those before it.
   const std::uint64_t held = picture.statistics.image_bytes + picture.statistics.buffer_bytes;
   if (none_waits_ || held > (*most_bytes_)(picture.statistics.device)) entry.frame.reset();
   return picture;

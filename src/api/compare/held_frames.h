@@ -12,7 +12,7 @@
 
 namespace dermis::api {
 
-/// Half of the memory of the device of this name, 2 GiB if it does not say: the other half is for the scene
+/// Half of the memory of the device of this name, 2 GiB if it does not say. The other half is for the scene
 /// and for one frame that is on its way.
 std::uint64_t half_of_device(const std::string& device);
 

@@ -16,9 +16,9 @@ struct QualitySetting {
   RenderSettings settings;
 };
 
-/// Returns the settings of a technique from cheap to dear, as far as it can draw the scene with them: taps of
-/// each kernel at full and half resolution, sizes of light maps. One point of a
-/// technique that has none of these.
+/// Returns the settings of a technique from cheap to dear, as far as it can draw the scene with them. They
+/// are taps of each kernel at full and half resolution, sizes of light maps. One point of a technique that
+/// has none of these.
 std::vector<QualitySetting> quality_settings(const Scene& scene, const RenderSettings& common,
                                              const std::string& technique);
 

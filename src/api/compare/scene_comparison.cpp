@@ -10,10 +10,10 @@
 #include <tuple>
 
 #include "api/asset_state.h"
-#include "api/output.h"
 #include "api/compare/quality_settings.h"
-#include "api/scene_state.h"
 #include "api/compare/turns.h"
+#include "api/output.h"
+#include "api/scene_state.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "core/known_names.h"
@@ -182,8 +182,8 @@ class Run {
       throw Cancelled("stopped before all techniques were compared");
   }
 
-  // What is refused is refused now, not after the reference has taken its hours. Of all techniques those that
-  // cannot draw this picture are left out.
+  // Refuses now, not after the reference has taken its hours. Of all techniques those that cannot draw this
+  // picture are left out.
   std::vector<std::string> drawn_techniques() const {
     if (!settings_.techniques.empty()) {
       for (const std::string& name : settings_.techniques) check_technique(name);
@@ -282,7 +282,7 @@ class Run {
     RenderSettings s = settings_.render;
     s.technique = name;
     const Statistics first = add(name, scene_, s);
-    if (!techniques::find_technique(name).has_light_maps) return;  // which the rows below are about
+    if (!techniques::find_technique(name).has_light_maps) return;  // the rows below are about these
     if (settings_.each_optimisation) add_each_optimisation(name, s);
     if (first.shape_aware) {
       s.skin.shape_aware = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a scene does not keep of the files that its assets were loaded from.
+/// Files of assets, beyond what a scene keeps of them.
 #pragma once
 
 #include "core/hash.h"
@@ -7,8 +7,8 @@
 
 namespace dermis::api {
 
-/// Adds the bytes of the files that the assets of a scene were loaded from, with the buffers beside a .gltf:
-/// all that may show at some time of a clip, but for maps. Throws InputError: one cannot be read.
+/// Adds the bytes of the files that the assets of a scene were loaded from, with the buffers beside a .gltf.
+/// That is all that may show at some time of a clip, but for maps. Throws InputError: one cannot be read.
 void add_asset_files(Hash& hash, const Scene& scene);
 
 }  // namespace dermis::api

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How labels lie in files: steps and offsets of PNG, names of layers, and what a sheet says of them.
+/// Labels in files: steps and offsets of PNG, names of layers, and their rows of a sheet.
 #pragma once
 
 #include <array>

@@ -301,7 +301,7 @@ std::uint64_t api::picture_fingerprint(const Scene& scene, const RenderSettings&
                                        const Hooks& hooks) {
   const HookScope scope(hooks);
   return naming_the_scene(scene, [&] {
-    // What the reference does not know, or would refuse, is for the caller to add.
+    // The caller adds settings that the reference does not know, or would refuse.
     RenderSettings s = settings;
     s.camera.heads = 1;
     s.output = {.width = 16, .height = 9};

@@ -39,7 +39,7 @@ fs::path path_of(const json::Value& json, const fs::path& folder) {
   return folder / text;
 }
 
-// What Scene refuses, with its place.
+// Adds the place to errors of Scene.
 template <class Work>
 auto at_place(const json::Value& json, const Work& work) {
   try {

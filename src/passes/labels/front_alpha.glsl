@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a blended part covers, as surface.frag has it, without what it transmits.
+// Cover of a blended part, as surface.frag has it, without the light that it transmits.
 #include "shared/scene_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 #include "shaders/frame.glsl"

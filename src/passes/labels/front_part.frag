@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which part stands nearest, of those that cover a half or more.
+// The part that stands nearest, of those that cover a half or more.
 #version 460
 #include "passes/labels/front_alpha.glsl"
 layout(location = 9) flat in uint in_kind;

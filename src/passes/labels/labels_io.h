@@ -22,8 +22,8 @@ struct LabelsBeforeIo {
 struct LabelVertexIo {
   vec2 part;  // distance inside nose and ear
   float thickness_mm;
-  float left;  // how far on the person's left
-  vec4 face;   // how far inside the lips, above their parting, behind them, below the jaw
+  float left;  // distance on the person's left
+  vec4 face;   // distances inside the lips, above their parting, behind them, below the jaw
   uint kind;   // LABEL_PART_... of what is no skin
 };
 
@@ -43,7 +43,7 @@ DERMIS_IO_END
 #define LABEL_THICKNESS 256u  // mm
 #define LABEL_PART 512u
 // Of the layer of blended parts, which passes of their own draw: no words of this one.
-#define LABEL_FRONT 1024u       // what it covers, 0 to 1
+#define LABEL_FRONT 1024u       // its cover, 0 to 1
 #define LABEL_FRONT_PART 2048u  // of its nearest part that covers a half or more
 #define LABEL_REGION 4096u
 #define LABEL_COUNT 13
