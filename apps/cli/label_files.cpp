@@ -148,12 +148,13 @@ std::vector<PendingFile> label_files(Renderer& renderer, const Scene& scene, con
     files = png_files(results, path, of_labels);
   else
     files.push_back(layers_file(results, picture, path, of_labels));
-  Json sheet{{"schema", 1},
-             {"picture", std::filesystem::path(path).filename().string()},
-             {"camera", api::camera_json(scene, settings)},
-             {"sampling", "one sample at the middle of each pixel; blended parts leave front and front_part alone"},
-             {"labels", of_labels},
-             {"instances", instances_json(scene)}};
+  Json sheet{
+      {"schema", 1},
+      {"picture", std::filesystem::path(path).filename().string()},
+      {"camera", api::camera_json(scene, settings)},
+      {"sampling", "one sample at the middle of each pixel; blended parts leave front and front_part alone"},
+      {"labels", of_labels},
+      {"instances", instances_json(scene)}};
   if (!marks.is_null()) sheet["landmarks"] = marks;
   const std::string text = sheet.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   const auto bytes = std::as_bytes(std::span(text));
