@@ -107,11 +107,12 @@ void add_render_command(CLI::App& app, int& exit_status) {
       ->type_name("FILE")
       ->required();
   rare(command
-           ->add_option("--labels", arguments->labels,
-                        "labels of each pixel beside the picture, with a .json: layers of an .exr, or a "
-                        "16-bit PNG each. A list of instance, material, depth, normal, uv, region, "
-                        "skin_mesh, unwrap, thickness, matte, part, front, front_part, landmarks (in the "
-                        ".json), or all")
+           ->add_option(
+               "--labels", arguments->labels,
+               "labels of each pixel beside the picture, with a .json: layers of an .exr, or a "
+               "16-bit PNG each. A list of instance, material, depth, normal, uv, region, "
+               "skin_mesh, unwrap, thickness, matte, part, front, front_part, landmarks (in the .json), or "
+               "all")
            ->type_name("NAME,..."));
   command->add_option("--stats", arguments->stats, "write statistics as JSON, - for standard output")
       ->type_name("FILE");

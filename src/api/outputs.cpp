@@ -29,7 +29,8 @@ constexpr std::array rows{
               "of the body below the skin; 0: no skin"},
     OutputRow{Output::matte, "matte", Type::float32, 1, "", "share of the pixel that heads cover, 0 to 1"},
     OutputRow{Output::part, "part", Type::uint32, 1, "", "of the face; 0: nothing"},
-    OutputRow{Output::front, "front", Type::float32, 1, "", "cover of blended parts before that, 0 to 1"},
+    OutputRow{Output::front, "front", Type::float32, 1, "",
+              "share of the pixel that blended parts before that cover"},
     OutputRow{Output::front_part, "front_part", Type::uint32, 1, "",
               "the nearest blended part that covers a half; 0: none"}};
 

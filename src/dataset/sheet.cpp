@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "api/label_forms.h"
+#include "api/prepare/label_forms.h"
 #include "core/error.h"
 #include "dataset/manifest.h"
 #include "dataset/members.h"
