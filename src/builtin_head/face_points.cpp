@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "builtin_head/face_points.h"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 

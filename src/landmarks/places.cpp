@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "landmarks/places.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <unordered_set>

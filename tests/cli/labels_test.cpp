@@ -5,6 +5,7 @@
 
 #include "image/codec.h"
 #include "program.h"
+#include "tiny_gltf.h"
 
 namespace dermis::tests {
 namespace {
@@ -50,6 +51,46 @@ TEST_F(LabelFiles, OfAnExrAreLayersBesideThePicture) {
                         "--shadow-size", "64",         "-o",          in("plain.exr")};
   ASSERT_EQ(run(plain).status, 0);
   EXPECT_EQ(with.values, image::load_image_f(folder() / "plain.exr").values);
+}
+
+TEST_F(LabelFiles, LandmarksStandInTheSheet) {
+  ASSERT_EQ(labels("landmarks", in("face.png")).status, 0);
+  const auto sheet = nlohmann::json::parse(read_text(folder() / "face.json"));
+  EXPECT_TRUE(sheet["labels"].empty()) << "no picture of them";
+  ASSERT_EQ(sheet["landmarks"]["instances"].size(), 1u);
+  const auto& points = sheet["landmarks"]["instances"][0];
+  ASSERT_EQ(points.size(), 70u);
+  for (const auto& point : points) {
+    ASSERT_EQ(point.size(), 4u);
+    EXPECT_TRUE(point[0] > 0 && point[0] < 32 && point[1] > 0 && point[1] < 24) << point;
+  }
+  EXPECT_LT(points[68][0], points[69][0]) << "the person's right is on the left of a picture from the front";
+}
+
+TEST_F(LabelFiles, OfAHeadWithoutLandmarksLackThem) {
+  expect_refused(labels("landmarks", picture().string(), {"--heads", "2"}), "camera.heads is 2");
+  Arguments square{"render",      file("square.gltf", tiny_gltf()),
+                   "--size",      "32x24",
+                   "--technique", "lambert",
+                   "-o",          picture().string(),
+                   "--exposure",  "0",
+                   "--labels",    "landmarks"};
+  const Result without = run(square);
+  EXPECT_EQ(without.status, 1);
+  EXPECT_NE(without.err.find("has no landmarks"), std::string::npos) << without.err;
+  EXPECT_FALSE(fs::exists(picture())) << "nothing half-written";
+
+  square.back() = "all";
+  ASSERT_EQ(run(square).status, 0);
+  EXPECT_FALSE(nlohmann::json::parse(read_text(folder() / "picture.json")).contains("landmarks"));
+
+  // A file beside it that is of another head.
+  file("square.landmarks.json",
+       read_text(fs::path(DERMIS_SOURCE_DIR) / "assets/heads/makehuman.landmarks.json"));
+  const Result other = run(square);
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.err.find("square.landmarks.json: mesh 0 of square.gltf has 81 vertices"), std::string::npos)
+      << other.err;
 }
 
 TEST_F(LabelFiles, WhatNoFileHoldsIsRefused) {
