@@ -338,6 +338,24 @@ def suns():
     return lines + ["", link("suns-software.json")]
 
 
+def second_opinion():
+    """Mean colour of Mitsuba's picture over ours."""
+    rows = []
+    for case in record("second-opinion.json")["cases"]:
+        for region, found in case["regions"].items():
+            if region != "skin" and (region, "head" in case["case"]) != ("terminator", True):
+                continue
+            ratios = [
+                f"{ratio:.3f} ± {error:.3f}"
+                for ratio, error in zip(found["mitsuba_over_ours"], found["standard_error"])
+            ]
+            label = case["case"] if region == "skin" else f"{case['case']}, {region}"
+            noise = scaled(found["rel_mse"] - found["rel_mse_less_noise"])
+            rows.append([label, *ratios, scaled(found["rel_mse_less_noise"]), noise])
+    columns = ["body", "red", "green", "blue", "relMSE less noise, 1e-4", "noise"]
+    return table(columns, rows) + ["", link("second-opinion.json")]
+
+
 TABLES = {
     "readme": readme,
     "h100": h100,
@@ -351,6 +369,7 @@ TABLES = {
     "truth regions": truth_regions,
     "shape": shape,
     "suns": suns,
+    "second opinion": second_opinion,
 }
 
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scene_comparison.h"
 
+#include <string>
+#include <utility>
+
 #include "cli/progress.h"
 
 namespace dermis::cli {

@@ -38,7 +38,7 @@ import dermis.compare  # noqa: E402
 import dermis.reference  # noqa: E402
 
 PARTS = 10
-TOTAL_SAMPLES = 500  # of 64 x 64 pixels; the error of a total is common to all pixels
+TOTAL_SAMPLES = 160  # of 64 x 64 pixels; the error of a total is common to all pixels
 Image = NDArray[np.float64]
 
 
@@ -137,7 +137,7 @@ def total_of(medium: Medium, c: int) -> tuple[float, float]:
         "interior": mitsuba_medium(medium, c),
     }
     sky = {"type": "constant", "radiance": 1.0}
-    mean, variance = rendered(scene_of(slab, sensor, sky, medium, c), TOTAL_SAMPLES, 100 * (c + 1))
+    mean, variance = rendered(scene_of(slab, sensor, sky, medium, c), TOTAL_SAMPLES, 100 + c)
     return float(mean.mean()), float(np.sqrt(variance.mean() / mean.size))
 
 

@@ -11,6 +11,9 @@ import numpy as np
 import pytest
 
 import dermis
+import dermis.compare
+import dermis.profile
+import dermis.reference
 from dermis import _core, doctor
 from dermis._keywords import render_keywords
 
@@ -72,6 +75,10 @@ def test_types_of_keywords_are_those_of_the_rows() -> None:
 
 
 def test_everything_has_a_docstring() -> None:
+    for module in (dermis.compare, dermis.profile, dermis.reference):
+        assert module.__doc__
+        for name in set(module.__all__) - {"Progress"}:  # a type
+            assert getattr(module, name).__doc__, f"{module.__name__}.{name}"
     for name in dermis.__all__:
         thing = getattr(dermis, name)
         assert thing.__doc__, name

@@ -17,7 +17,7 @@ def test_mitsuba_agrees_on_a_ball(tmp_path: Path) -> None:
     if importlib.util.find_spec("mitsuba") is None:
         pytest.skip("mitsuba is not installed")
     out = tmp_path / "out.json"
-    command = [sys.executable, script, out, "--case", "ball", "--samples", "40"]
+    command: list[str | Path] = [sys.executable, script, out, "--case", "ball", "--samples", "40"]
     subprocess.run(command, check=True, timeout=900)
     skin = json.loads(out.read_text())["cases"][0]["regions"]["skin"]
     assert skin["pixels"] > 1000
