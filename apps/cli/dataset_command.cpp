@@ -170,7 +170,7 @@ void add_options(CLI::App& command, DatasetArguments& a) {
       ->required();
   command
       .add_option("PATH", a.path,
-                  "a recipe (prepare, bench), else the folder of a data set, python/README.md")
+                  "a recipe (prepare, bench), else the folder of a data set, python/datasets.md")
       ->type_name("FILE|FOLDER")
       ->required();
   command

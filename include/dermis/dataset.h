@@ -8,7 +8,7 @@
 ///
 /// A sample is a function of the recipe and its number alone. Its parameters are equal everywhere, its
 /// pictures on one class of device (name and driver). Shards are tars as WebDataset reads them, equal to the
-/// byte however they were drawn. python/README.md describes recipes, files and clusters.
+/// byte however they were drawn. python/datasets.md describes recipes, files and clusters.
 #pragma once
 
 #include <cstdint>

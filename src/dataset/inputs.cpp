@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <set>
 #include <utility>
 
@@ -31,6 +32,16 @@ constexpr std::array<std::pair<std::string_view, const char*>, 10> spellings{
      {"Apache License 2.0", "Apache-2.0"},
      {"MIT License", "MIT"},
      {"MIT", "MIT"}}};
+
+// "MIT" is no word of "SMITH".
+bool has_word(std::string_view text, std::string_view word) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '-');
+  };
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
+    if (!is_letter(at - 1) && !is_letter(at + word.size())) return true;
+  return false;
+}
 
 bool is_built_in(const std::string& asset) { return asset == "built-in" || asset.starts_with("built-in:"); }
 
@@ -106,7 +117,7 @@ std::optional<Licence> licence_in(const fs::path& asset) {
 
   Licence licence{"LicenseRef-asset.copyright", text, asset.filename().string(), ""};
   for (const auto& [spelling, spdx] : spellings)
-    if (text.find(spelling) != std::string::npos) {
+    if (has_word(text, spelling)) {
       licence.spdx = spdx;
       break;
     }

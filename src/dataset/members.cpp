@@ -39,7 +39,7 @@ std::vector<std::byte> encode_npy(const Results& results, const OutputRow& row) 
 std::vector<std::byte> encode_display(const Results& results) {
   image::Image8 picture{.width = results.width, .height = results.height, .rgba = {}};
   picture.rgba.assign(results.display.begin(), results.display.end());
-  return image::encode_png(picture);
+  return image::encode_png(picture, false, image::PngEffort::fast);
 }
 
 // Returns the labels in the JSON of a sample: file, and the way from its values to numbers. The landmarks of
@@ -106,9 +106,9 @@ Encoded encoded(const Recipe::State& recipe, const Drawn& drawn) {
       if (form.step == 0)
         out.members.push_back({ending, encode_npy(drawn.results, row)});
       else
-        out.members.push_back(
-            {ending, image::encode_png16(drawn.results.width, drawn.results.height, row.channels,
-                                         api::png_values(drawn.results, form), stem)});
+        out.members.push_back({ending, image::encode_png16(drawn.results.width, drawn.results.height,
+                                                           row.channels, api::png_values(drawn.results, form),
+                                                           stem, image::PngEffort::fast)});
     } catch (const InputError& error) {
       throw input_error("recipe '" + recipe.name + "'", "sample {}: {}", drawn.place.sample, error.what());
     }

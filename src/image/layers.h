@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "image/codec.h"
+
 namespace dermis::image {
 
 /// A channel of a file of layers, four bytes per value, rows from top to bottom.
@@ -25,6 +27,7 @@ std::vector<std::byte> encode_layers(int width, int height, std::span<const Laye
 
 /// Returns a PNG of 16 bits per value, grey (1 channel) or RGB (3), that says nothing of a colour space.
 std::vector<std::byte> encode_png16(int width, int height, int channels,
-                                    std::span<const std::uint16_t> values, const std::string& where);
+                                    std::span<const std::uint16_t> values, const std::string& where,
+                                    PngEffort effort = PngEffort::small);
 
 }  // namespace dermis::image

@@ -206,9 +206,9 @@ ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limit
   return decode_image_f(read_file(path, most_file_bytes), path.string(), limits, most_pixels);
 }
 
-std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha) {
+std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, PngEffort effort) {
   check_shape(picture.rgba.size(), picture.width, picture.height, 4);
-  return formats::encode_png(picture, keep_alpha, "PNG");
+  return formats::encode_png(picture, keep_alpha, "PNG", effort);
 }
 
 void save_png(const std::filesystem::path& path, const Image8& picture, bool keep_alpha) {

@@ -62,7 +62,8 @@ class Collected {
   std::size_t not_finite_ = 0;
 };
 
-std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where);
+std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where,
+                                  PngEffort effort = PngEffort::small);
 std::vector<std::byte> encode_exr(const ImageF& picture, bool half_float, const std::string& where);
 
 }  // namespace dermis::image::formats

@@ -141,13 +141,21 @@ Image8 decode_png(Bytes bytes, const std::string& where, const DecodeLimits& lim
 
 namespace {
 
+// Of zlib's 1 to 9, the last that takes matches greedily.
+constexpr int fast_level = 3;
+
 // Pixels as `header` says, those of 16 bits in the order of this machine.
 std::vector<std::byte> encoded(spng_ihdr header, const void* pixels, std::size_t bytes, bool srgb,
-                               const std::string& where) {
+                               const std::string& where, PngEffort effort) {
   const Context context(spng_ctx_new(SPNG_CTX_ENCODER));
   if (!context) throw std::bad_alloc();
   int result = spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
   if (result == SPNG_OK) result = spng_set_ihdr(context.get(), &header);
+  if (effort == PngEffort::fast) {
+    if (result == SPNG_OK) result = spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, fast_level);
+    if (result == SPNG_OK)
+      result = spng_set_option(context.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB);
+  }
   constexpr std::uint8_t perceptual = 0;  // the intent with which a display with other primaries shows it
   if (result == SPNG_OK && srgb) result = spng_set_srgb(context.get(), perceptual);
   if (result == SPNG_OK)
@@ -163,7 +171,8 @@ std::vector<std::byte> encoded(spng_ihdr header, const void* pixels, std::size_t
 
 }  // namespace
 
-std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where) {
+std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const std::string& where,
+                                  PngEffort effort) {
   std::vector<std::uint8_t> rgb;
   if (!keep_alpha) {
     rgb.reserve(picture.rgba.size() / 4 * 3);
@@ -177,7 +186,7 @@ std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const 
   header.height = static_cast<std::uint32_t>(picture.height);
   header.bit_depth = 8;
   header.color_type = keep_alpha ? SPNG_COLOR_TYPE_TRUECOLOR_ALPHA : SPNG_COLOR_TYPE_TRUECOLOR;
-  return encoded(header, pixels.data(), pixels.size(), true, where);
+  return encoded(header, pixels.data(), pixels.size(), true, where, effort);
 }
 
 }  // namespace dermis::image::formats
@@ -185,13 +194,14 @@ std::vector<std::byte> encode_png(const Image8& picture, bool keep_alpha, const 
 namespace dermis::image {
 
 std::vector<std::byte> encode_png16(int width, int height, int channels,
-                                    std::span<const std::uint16_t> values, const std::string& where) {
+                                    std::span<const std::uint16_t> values, const std::string& where,
+                                    PngEffort effort) {
   spng_ihdr header{};
   header.width = static_cast<std::uint32_t>(width);
   header.height = static_cast<std::uint32_t>(height);
   header.bit_depth = 16;
   header.color_type = channels == 3 ? SPNG_COLOR_TYPE_TRUECOLOR : SPNG_COLOR_TYPE_GRAYSCALE;
-  return formats::encoded(header, values.data(), values.size_bytes(), false, where);
+  return formats::encoded(header, values.data(), values.size_bytes(), false, where, effort);
 }
 
 }  // namespace dermis::image

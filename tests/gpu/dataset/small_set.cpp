@@ -11,13 +11,12 @@ namespace dermis::dataset {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 // Its one morph target scales it.
 std::string square(const std::string& copyright) {
-  return tests::tiny_gltf({}, [&](json& file) {
-    json& mesh = file["meshes"][0];
-    mesh["primitives"][0]["targets"] = json::array({{{"POSITION", 0}}});
+  return tests::tiny_gltf({}, [&](Tree& file) {
+    Tree& mesh = file["meshes"][0];
+    mesh["primitives"][0]["targets"] = Tree::array({{{"POSITION", 0}}});
     mesh["extras"]["targetNames"] = {"grow"};
     if (!copyright.empty()) file["asset"]["copyright"] = copyright;
   });
@@ -30,7 +29,7 @@ SmallSet::SmallSet() {
   tests::write_text(folder() / "free.gltf", square("A. Author, CC BY 4.0"));
   quiet.hooks.log = [](LogLevel, const std::string&) {};
   quiet.threads = 2;
-  recipe = json::parse(R"({
+  recipe = Tree::parse(R"({
     "schema": 1, "name": "squares", "seed": 3, "samples": 18, "samples_per_shard": 4, "views_per_identity": 2,
     "test_share": 0.25, "size": [24, 20], "labels": ["depth", "uv", "instance", "region"],
     "identities": [

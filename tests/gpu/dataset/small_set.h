@@ -14,6 +14,8 @@
 
 namespace dermis::dataset {
 
+using Tree = nlohmann::json;  // json is a namespace here
+
 class SmallSet : public testing::Test {
  protected:
   SmallSet();
@@ -28,7 +30,7 @@ class SmallSet : public testing::Test {
   /// Like this, and the manifest stays as it is.
   static void flip_bit(const std::filesystem::path& file, std::size_t at);
 
-  nlohmann::json recipe;
+  Tree recipe;
   Options quiet;  ///< says nothing
 
  private:

@@ -9,7 +9,6 @@ namespace dermis::dataset {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 class Verify : public SmallSet {
  protected:
@@ -22,12 +21,12 @@ class Verify : public SmallSet {
     EXPECT_NE(found.faults[0].find(says), std::string::npos) << found.faults[0];
     EXPECT_EQ(found.faults[0].find('\n'), std::string::npos);
   }
-  json sample(const fs::path& shard, const std::string& name) {
+  Tree sample(const fs::path& shard, const std::string& name) {
     TarReader tar(shard);
     for (const TarReader::File& file : tar.files())
       if (file.name == name) {
         const std::vector<std::byte> bytes = tar.read(file);
-        return json::parse(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+        return Tree::parse(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
       }
     ADD_FAILURE() << "no " << name;
     return {};
@@ -73,7 +72,7 @@ TEST_F(Verify, FindsAMissingShardAndAMissingManifest) {
 }
 
 TEST_F(Verify, FindsJsonAgainstTheSchema) {
-  json changed = sample(shard, "000005.json");
+  Tree changed = sample(shard, "000005.json");
   changed["colour"] = "red";
   replace_member(shard, "000005.json", changed.dump());
   expect_fault("sample 5", "colour");
@@ -82,21 +81,21 @@ TEST_F(Verify, FindsJsonAgainstTheSchema) {
 }
 
 TEST_F(Verify, FindsASampleOfAnotherVersion) {
-  json changed = sample(shard, "000006.json");
+  Tree changed = sample(shard, "000006.json");
   changed["dermis"] = "0.1.0";
   replace_member(shard, "000006.json", changed.dump());
   expect_fault("sample 6", "version 0.1.0");
 }
 
 TEST_F(Verify, FindsParametersThatAreNotTheRecipes) {
-  json changed = sample(shard, "000006.json");
+  Tree changed = sample(shard, "000006.json");
   changed["settings"]["lighting"]["ambient"] = 0.3;
   replace_member(shard, "000006.json", changed.dump());
   expect_fault("sample 6", "is not what the recipe gives");
 }
 
 TEST_F(Verify, FindsAPictureThatIsNotTheRecipes) {
-  json manifest = json::parse(tests::read_text(set / "train-000001.json"));
+  Tree manifest = Tree::parse(tests::read_text(set / "train-000001.json"));
   // What another picture would have given. The hash of all must agree, or the manifest itself is refused.
   manifest["samples"][0]["pictures_sha256"] = std::string(64, '0');
   tests::write_text(set / "train-000001.json", manifest.dump());
@@ -105,7 +104,7 @@ TEST_F(Verify, FindsAPictureThatIsNotTheRecipes) {
 
 TEST_F(Verify, DrawsAgainAndCompares) {
   // The pictures of two samples change their places: hashes agree, and only drawing shows it.
-  json manifest = json::parse(tests::read_text(set / "train-000001.json"));
+  Tree manifest = Tree::parse(tests::read_text(set / "train-000001.json"));
   Manifest changed = load_manifest(set / "train-000001.json");
   std::swap(changed.samples[0].pictures_sha256, changed.samples[1].pictures_sha256);
   tests::write_text(set / "train-000001.json", text_of(changed, *load_lock(set).recipe));
@@ -134,14 +133,14 @@ TEST_F(Verify, WarnsOfSeveralDevices) {
   ASSERT_EQ(found.warnings.size(), 1u);
   EXPECT_NE(found.warnings[0].find("shards 0,2-4"), std::string::npos) << found.warnings[0];
 
-  json lock = json::parse(tests::read_text(set / "recipe.lock.json"));
+  Tree lock = Tree::parse(tests::read_text(set / "recipe.lock.json"));
   lock["one_device"] = true;
   tests::write_text(set / "recipe.lock.json", lock.dump());
   expect_fault("", "several classes of devices");
 }
 
 TEST_F(Verify, AnEditedLockIsRefused) {
-  json lock = json::parse(tests::read_text(set / "recipe.lock.json"));
+  Tree lock = Tree::parse(tests::read_text(set / "recipe.lock.json"));
   lock["recipe"]["seed"] = 9;
   tests::write_text(set / "recipe.lock.json", lock.dump());
   EXPECT_NE(tests::thrown<InputError>([&] { verify(set, 0, quiet); }).find("has been changed"),

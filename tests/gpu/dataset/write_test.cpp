@@ -18,7 +18,6 @@ namespace dermis::dataset {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using tests::thrown;
 
 class Prepare : public SmallSet {
@@ -33,7 +32,7 @@ class Prepare : public SmallSet {
 class Write : public SmallSet {};
 
 TEST_F(Prepare, WritesALock) {
-  const json lock = json::parse(tests::read_text(prepared("set") / "recipe.lock.json"));
+  const Tree lock = Tree::parse(tests::read_text(prepared("set") / "recipe.lock.json"));
   EXPECT_EQ(lock["inputs"].size(), 2u);
   EXPECT_EQ(lock["inputs"][0]["file"], "free.gltf");
   EXPECT_EQ(lock["licences"][0]["spdx"], "MIT");
@@ -48,7 +47,7 @@ TEST_F(Prepare, WritesALock) {
 }
 
 TEST_F(Prepare, FindsWhatCannotBeDrawn) {
-  const json good = recipe;
+  const Tree good = recipe;
   recipe["identities"][0]["asset"] = "none.gltf";
   expect_refused("none.gltf: no such file");
   tests::write_text(folder() / "broken.gltf", tests::read_text(folder() / "plain.gltf").substr(0, 500));
@@ -101,11 +100,11 @@ TEST_F(Write, ShardsAreTarsOfTheirSamples) {
   EXPECT_EQ(picture.width, 24);
   EXPECT_EQ(picture.height, 20);
   const std::vector<std::byte> bytes = tar.read(tar.files()[1]);
-  const json sample = json::parse(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  const Tree sample = Tree::parse(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   EXPECT_EQ(sample["sample"], 12);
   EXPECT_EQ(sample["labels"]["depth"]["file"], "000012.depth.png");
   EXPECT_EQ(sample["camera"]["width"], 24);
-  const json parameters = json::parse(recipe_of(set).parameters(12));
+  const Tree parameters = Tree::parse(recipe_of(set).parameters(12));
   for (const auto& [key, value] : parameters.items()) EXPECT_EQ(sample[key], value) << key;
   EXPECT_EQ(write(set, {}, quiet).there, 5u) << "nothing is drawn twice";
 }
@@ -238,7 +237,7 @@ TEST_F(Write, ChangedFilesAreRefused) {
 TEST_F(Write, AnotherClassOfDeviceIsRefusedWhereOneIsAskedFor) {
   const fs::path set = prepared("set", true);
   EXPECT_EQ(write(set, std::vector<std::uint64_t>{0}, quiet).shards, 1u);
-  json lock = json::parse(tests::read_text(set / "recipe.lock.json"));
+  Tree lock = Tree::parse(tests::read_text(set / "recipe.lock.json"));
   lock["device"]["driver"] = "another";
   tests::write_text(set / "recipe.lock.json", lock.dump());
   EXPECT_NE(thrown<InputError>([&] { write(set, {}, quiet); }).find("one class of device"),

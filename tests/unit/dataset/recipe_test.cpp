@@ -10,6 +10,7 @@
 #include <string>
 
 #include "dermis/dataset.h"
+#include "support/files.h"
 #include "support/thrown.h"
 
 namespace dermis::dataset {
@@ -169,6 +170,14 @@ TEST(Recipe, PeopleOfOneAssetDiffer) {
   for (const auto& [number, text] : morphs) distinct.insert(text);
   EXPECT_EQ(morphs.size(), 10u);
   EXPECT_EQ(distinct.size(), 10u);
+}
+
+TEST(Recipe, ThatOfTheDocumentIsOne) {
+  const std::string document = tests::read_text(DERMIS_SOURCE_DIR "/python/datasets.md");
+  const std::size_t begin = document.find("```json\n") + 8, end = document.find("```", begin);
+  const Recipe r = Recipe::parse(document.substr(begin, end - begin), ".");
+  EXPECT_EQ(r.samples(), 4000u);
+  EXPECT_EQ(r.identities(), 3u);
 }
 
 TEST(Recipe, ItsHashIsThatOfItsValues) {

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What is made of shards: boxes, a page, a job script, a benchmark.
+#include <cmath>
+
+#include "gpu/dataset/small_set.h"
+#include "support/thrown.h"
+
+namespace dermis::dataset {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Pages : public SmallSet {};
+
+// A square of 0.2 m that faces the camera: its box follows from K and the distance.
+TEST_F(Pages, BoxesAreThoseOfTheProjection) {
+  recipe["size"] = {64, 48};
+  recipe["identities"].erase(1);
+  recipe["test_share"] = 0;
+  recipe["samples"] = 4;
+  recipe["settings"]["camera"] = {{"fov_deg", {{"uniform", {20, 60}}}}, {"distance", 8}};
+  recipe["head"] = Tree::object();
+  const fs::path set = prepared("set");
+  write(set, {}, quiet);
+  const Tree found = Tree::parse(coco(set));
+  ASSERT_EQ(found["images"].size(), 4u);
+  ASSERT_EQ(found["annotations"].size(), 4u);
+  EXPECT_EQ(found["images"][2]["file_name"], "train-000000.tar/000002.png");
+  EXPECT_EQ(found["licenses"][0]["name"], "MIT, A");
+
+  const double distance_m = 8 * std::sqrt(0.02);  // of the sphere around the square
+  for (int i = 0; i < 4; ++i) {
+    const Tree sample = Tree::parse(recipe_of(set).parameters(static_cast<std::uint64_t>(i)));
+    const double fov = sample["settings"]["camera"]["fov_deg"].get<double>() * 3.14159265358979 / 180;
+    const double side = 0.2 / distance_m * 24 / std::tan(fov / 2);
+    const Tree& box = found["annotations"][static_cast<std::size_t>(i)];
+    EXPECT_EQ(box["image_id"], i);
+    EXPECT_EQ(box["category_id"], 1);
+    EXPECT_NEAR(box["bbox"][2].get<double>(), side, 1.01) << i;
+    EXPECT_NEAR(box["bbox"][0].get<double>() + box["bbox"][2].get<double>() / 2, 32, 1) << i;
+    EXPECT_NEAR(box["area"].get<double>(), side * side, 2.5 * side) << i;
+  }
+}
+
+TEST_F(Pages, BoxesNeedALabel) {
+  recipe["labels"] = {"depth"};
+  const fs::path set = prepared("set");
+  EXPECT_NE(tests::thrown<InputError>([&] { coco(set); }).find("its recipe has neither"), std::string::npos);
+}
+
+TEST_F(Pages, TheSheetShowsWhatWasDrawn) {
+  recipe["name"] = "squares <of> skin";
+  recipe["about"] = "For a test.";
+  const fs::path set = prepared("set");
+  EXPECT_NE(tests::thrown<InputError>([&] { sheet(set); }).find("holds no shard yet"), std::string::npos);
+  write(set, {}, quiet);
+  const std::string page = sheet(set, 9);
+  for (const char* text :
+       {"squares &lt;of&gt; skin", "For a test.", "3 to train, 1 to test, of 4", "18 of 18",
+        "settings.camera.orbit_deg[1]", "settings.lighting.rig_lights", "head.turn_deg[2]",
+        "morphs of free.gltf.grow", "CC-BY-4.0", "made here", "000016 region"})
+    EXPECT_NE(page.find(text), std::string::npos) << text;
+  std::size_t pictures = 0;
+  for (std::size_t at = page.find("<img"); at != std::string::npos; at = page.find("<img", at + 1))
+    ++pictures;
+  EXPECT_EQ(pictures, 9u + 4 * 3 + 5)
+      << "nine samples; of four all three labels that are PNG, of the rest one mask";
+}
+
+TEST_F(Pages, TheBenchmarkCountsAndLeavesNothing) {
+  const Benchmark b = bench(write_recipe(), 18, quiet);
+  EXPECT_EQ(b.samples, 18u);
+  EXPECT_GT(b.total_s, 0);
+  EXPECT_GT(b.bare_s, 0);
+  EXPECT_GT(b.encoding_s, 0);
+  EXPECT_GT(b.bytes, 18u * 3 * 512);
+  EXPECT_NEAR(b.setting_s + b.drawing_s + b.waiting_s + b.writing_s, b.total_s, 0.3 * b.total_s);
+  EXPECT_EQ(files_of(folder()), (std::vector<std::string>{"free.gltf", "plain.gltf", "recipe.json"}));
+}
+
+TEST_F(Pages, JobScriptsRefuseWhatTheyCannotHold) {
+  const fs::path set = prepared("set");
+  EXPECT_NE(slurm_script(set).find("#SBATCH --array=0-4\n"), std::string::npos);
+  EXPECT_NE(slurm_script(set, {.most_tasks = 2}).find("shards=5 run=3\n"), std::string::npos);
+  const auto refused = [&](const SlurmOptions& options) {
+    return tests::thrown<InputError>([&] { slurm_script(set, options); });
+  };
+  EXPECT_NE(refused({.minutes = 1}).find("2 to 525600"), std::string::npos);
+  EXPECT_NE(refused({.most_tasks = 0}).find("1 to 1000000"), std::string::npos);
+  EXPECT_NE(refused({.partition = "a\n#SBATCH --uid=0"}).find("partition"), std::string::npos);
+  const fs::path odd = prepared("odd\nname");
+  EXPECT_NE(tests::thrown<InputError>([&] { slurm_script(odd); }).find("folder"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dermis::dataset
