@@ -20,10 +20,10 @@ namespace dermis::passes {
 struct GpuSurfaces {
   /// Large scenes need several pages, because shaders can address only a limited range of a buffer.
   struct Page {
-    gpu::Buffer vertices;       ///< VertexIo[]
-    gpu::Buffer vertex_extras;  ///< VertexExtraIo[]
-    gpu::Buffer indices;        ///< uint[], into all vertices of the page
-    gpu::Buffer placements;     ///< PlacementIo[]; the first leaves vertices where they are
+    gpu::Buffer vertices;        ///< VertexIo[]
+    gpu::Buffer vertex_extras;   ///< VertexExtraIo[]
+    gpu::Buffer indices;         ///< uint[], into all vertices of the page
+    gpu::Buffer placements;      ///< PlacementIo[]; the first leaves vertices where they are
     gpu::Buffer label_vertices;  ///< LabelVertexIo[]; empty until labels are drawn
     /// Where vertices and placements come from, for poses: primitives in the order of their vertices, and the
     /// copy of one behind each placement but the first.

@@ -16,8 +16,8 @@ layout(location = 3) in vec4 in_colour;
 layout(location = 4) in vec2 in_part;  // distance inside nose and ear
 layout(location = 5) in vec4 in_clip;
 layout(location = 6) in vec4 in_clip_before;
-layout(location = 7) in vec4 in_body;        // unwrap, thickness in mm, how far on the left
-layout(location = 8) in vec4 in_face;        // LabelVertexIo
+layout(location = 7) in vec4 in_body;  // unwrap, thickness in mm, how far on the left
+layout(location = 8) in vec4 in_face;  // LabelVertexIo
 layout(location = 9) flat in uint in_kind;
 layout(location = 0) out uvec4 out_words_0;  // of the labels that are drawn
 #if TARGETS > 1
