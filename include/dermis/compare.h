@@ -63,8 +63,8 @@ double relative_mse_less_noise(const LinearPixels& reference, const LinearPixels
 
 /// Settings of compare_scene().
 struct SceneComparisonSettings {
-  RenderSettings render;  ///< size, camera, lights, maps of all techniques; the technique itself is not used
-  ReferenceSettings reference;
+  RenderSettings render{};  ///< of all techniques: size, camera, lights, maps; its own technique is not used
+  ReferenceSettings reference{};
   std::vector<std::string> techniques{};  ///< names of technique_names(); none: all that can draw the scene
   bool each_optimisation = false;         ///< rows for none, cull, depth, clip and all as well
   bool one_gaussian = true;  ///< a row with a single Gaussian of each technique that has light maps
