@@ -73,4 +73,30 @@ check "all tars are equal" cmp "$scratch/wanted" "$scratch/found"
 call "$dermis" dataset verify "$set" --redraw 0.02
 check "verify finds nothing" status_is 0
 check "verify has drawn four again" says "4 drawn again, 0 faults"
+
+# stub NAME TEXT: a worker of bash, and the job that runs it
+stub() {
+  printf '#!/bin/bash\n%s\n' "$2" > "$scratch/$1"
+  chmod +x "$scratch/$1"
+  "$dermis" dataset prepare "$scratch/recipe.json" -o "$scratch/set-$1" > "$scratch/output" 2>&1
+  "$dermis" dataset slurm "$scratch/set-$1" --tasks 1 --program "$scratch/$1" -o "$scratch/$1.sh"
+  job=$(sbatch --parsable "$scratch/$1.sh")
+}
+stub full 'exit 75'
+is_held() { squeue -h -j "$job" -o %r | grep -q "held state"; }
+check "a worker that never can is held" await 120 is_held
+check "after three times" test "$(grep -c '75; requeued' "$scratch"/set-full/slurm-*.log)" = 3
+check "with a line that says why" grep -q "with 75 for the fourth time; held" "$scratch"/set-full/slurm-*.log
+scancel "$job"
+
+# As a minute before the limit.
+stub told 'trap "echo ended in order; exit 75" TERM; sleep 60 & wait'
+is_running() { [[ $(squeue -h -j "$job" -o %t) == R ]]; }
+check "a worker runs" await 60 is_running
+sleep 1
+scancel --batch --signal=USR1 "$job"
+was_requeued() { grep -q '75; requeued' "$scratch"/set-told/slurm-*.log; }
+check "one that is told to end is requeued" await 60 was_requeued
+check "after it has ended in order" grep -q "ended in order" "$scratch"/set-told/slurm-*.log
+scancel "$job"
 finish
