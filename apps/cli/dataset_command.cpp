@@ -77,7 +77,7 @@ int verify(const DatasetArguments& a) {
 int slurm(const DatasetArguments& a) {
   dataset::SlurmOptions options = a.slurm;
   options.device = a.device;
-  if (options.program.empty()) options.program = quoted(fs::read_symlink("/proc/self/exe").string());
+  if (options.program.empty()) options.program = cli::quoted(fs::read_symlink("/proc/self/exe").string());
   write_text(a.output.empty() ? "-" : a.output, dataset::slurm_script(a.path, options));
   return 0;
 }
