@@ -147,7 +147,8 @@ std::string slurm_script(const std::filesystem::path& folder, const SlurmOptions
 std::string sheet(const std::filesystem::path& folder, std::size_t samples = 60);
 
 /// Returns boxes of heads, noses and ears as COCO's JSON, from the labels `instance` and `region` of all
-/// shards that are there. Throws InputError: the recipe has neither.
+/// shards that are there, and with `landmarks` the keypoints of heads. Throws InputError: the recipe has
+/// neither `instance` nor `region`.
 std::string coco(const std::filesystem::path& folder);
 
 /// Where the time of samples goes, seconds. Encoding runs beside drawing, on `threads`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boxes as COCO has them (cocodataset.org, "Data format"). Keypoints belong here once samples have landmarks.
+// Boxes and keypoints as COCO has them (cocodataset.org, "Data format").
 #include <set>
 
 #include "core/error.h"
@@ -8,6 +8,7 @@
 #include "dataset/manifest.h"
 #include "dataset/members.h"
 #include "dataset/shard_reader.h"
+#include "dermis/landmarks.h"
 
 namespace dermis::dataset {
 namespace {
@@ -34,7 +35,12 @@ class Coco {
                          {"width", lock_.recipe->width},
                          {"height", lock_.recipe->height},
                          {"license", place.entry + 1}});
-      if (lock_.recipe->labels.has(Output::instance)) add(i, head, box_of(shard.label(i, "instance"), 0));
+      if (lock_.recipe->labels.has(Output::instance)) {
+        const std::size_t before = annotations_.size();
+        add(i, head, box_of(shard.label(i, "instance"), 0));
+        if (lock_.recipe->landmarks && annotations_.size() > before)
+          add_keypoints(annotations_.back(), shard.read(i, landmarks_ending));
+      }
       if (!lock_.recipe->labels.has(Output::region)) continue;
       const image::Image8 regions = shard.label(i, "region");
       for (const Box& box : boxes_of_parts(regions, Results::nose, least_pixels)) add(i, nose, box);
@@ -49,7 +55,7 @@ class Coco {
                       {"recipe_sha256", lock_.recipe->sha256}}},
                     {"licenses", licences_},
                     {"categories",
-                     {{{"id", head}, {"name", "head"}, {"supercategory", "person"}},
+                     {head_category(),
                       {{"id", nose}, {"name", "nose"}, {"supercategory", "head"}},
                       {{"id", ear}, {"name", "ear"}, {"supercategory", "head"}}}},
                     {"images", images_},
@@ -58,6 +64,34 @@ class Coco {
   }
 
  private:
+  Json head_category() const {
+    Json category{{"id", head}, {"name", "head"}, {"supercategory", "person"}};
+    if (!lock_.recipe->landmarks) return category;
+    for (std::size_t i = 1; i <= Landmarks::count - 2; ++i)
+      category["keypoints"].push_back(fmt::format("ibug_{}", i));
+    category["keypoints"].push_back("right_pupil");
+    category["keypoints"].push_back("left_pupil");
+    return category;
+  }
+
+  // COCO's visibility: 0 not known (nearer than the near plane, or outside the picture), 1 hidden, 2 seen.
+  void add_keypoints(Json& annotation, const std::vector<std::byte>& file) const {
+    const Json points = Json::parse(reinterpret_cast<const char*>(file.data()),
+                                    reinterpret_cast<const char*>(file.data()) + file.size());
+    std::size_t known = 0;
+    Json keypoints = Json::array();
+    for (const Json& point : points.at("points")) {
+      const bool there = point[0].is_number() && point[0] >= -0.5 && point[0] < lock_.recipe->width - 0.5 &&
+                         point[1] >= -0.5 && point[1] < lock_.recipe->height - 0.5;
+      known += there ? 1 : 0;
+      for (const Json& value : {there ? point[0] : Json(0), there ? point[1] : Json(0),
+                                Json(there ? point[3].get<int>() + 1 : 0)})
+        keypoints.push_back(value);
+    }
+    annotation["keypoints"] = keypoints;
+    annotation["num_keypoints"] = known;
+  }
+
   void add(std::uint64_t image, int category, const Box& box) {
     if (box.area == 0) return;
     annotations_.push_back({{"id", annotations_.size() + 1},

@@ -2,6 +2,7 @@
 #include "dataset/members.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "api/prepare/label_forms.h"
@@ -42,9 +43,21 @@ std::vector<std::byte> encode_display(const Results& results) {
   return image::encode_png(picture, false, image::PngEffort::fast);
 }
 
-// Returns the labels in the JSON of a sample: file, and the way from its values to numbers. The landmarks of
-// a sample belong beside them, once the library has points of a posed instance: they follow from the
-// parameters and hash with these.
+// Returns the landmarks as a file of their own: the JSON of a sample is equal on every device, and whether a
+// point is seen is of the picture.
+std::string landmarks_text(const std::vector<Landmark>& landmarks) {
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(std::round(value * 1e4) / 1e4) : Json(nullptr);
+  };
+  Json points = Json::array();
+  for (const Landmark& mark : landmarks)
+    points.push_back({number(mark.x), number(mark.y), number(mark.depth_m), mark.seen ? 1 : 0});
+  const Json json{
+      {"values", {"x", "y", "depth", "seen"}}, {"units", {"px", "px", "m", ""}}, {"points", points}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+// Returns the labels in the JSON of a sample: file, and the way from its values to numbers.
 Json labels_json(const Recipe::State& recipe, const std::string& stem) {
   Json labels = Json::object();
   for (const api::LabelForm& form : api::label_forms()) {
@@ -55,6 +68,10 @@ Json labels_json(const Recipe::State& recipe, const std::string& stem) {
     json["file"] = file;
     labels[row.name] = json;
   }
+  if (recipe.landmarks)
+    labels["landmarks"] = {
+        {"about", "iBUG's 68 points, then the right and the left pupil; right is the person's"},
+        {"file", stem + "." + landmarks_ending}};
   return labels;
 }
 
@@ -76,16 +93,18 @@ std::vector<std::string> endings_of(const Recipe::State& recipe) {
   std::vector<std::string> endings{"png", "json"};
   for (const api::LabelForm& form : api::label_forms())
     if (recipe.labels.has(form.output)) endings.push_back(ending_of(form));
+  if (recipe.landmarks) endings.emplace_back(landmarks_ending);
   return endings;
 }
 
-std::string hash_of_pictures(const Recipe::State& recipe, const Results& results) {
+std::string hash_of_pictures(const Recipe::State& recipe, const Drawn& drawn) {
   Sha256 hash;
   for (const OutputRow& row : output_rows()) {
     if (row.output != Output::display && !recipe.labels.has(row.output)) continue;
     hash.add(std::string_view(row.name));
-    hash.add(results.bytes(row.output));
+    hash.add(drawn.results.bytes(row.output));
   }
+  if (recipe.landmarks) hash.add(std::string_view(landmarks_text(drawn.landmarks)));
   return hash.digest();
 }
 
@@ -93,7 +112,7 @@ Encoded encoded(const Recipe::State& recipe, const Drawn& drawn) {
   const std::string stem = stem_of(recipe, drawn.place.sample), text = sample_text(recipe, drawn, stem);
   Encoded out{
       .sample = drawn.place.sample, .members = {}, .json_sha256 = sha256(text), .pictures_sha256 = {}};
-  out.pictures_sha256 = hash_of_pictures(recipe, drawn.results);
+  out.pictures_sha256 = hash_of_pictures(recipe, drawn);
   out.members.push_back({"png", encode_display(drawn.results)});
   const auto bytes = std::as_bytes(std::span(text));
   out.members.push_back({"json", {bytes.begin(), bytes.end()}});
@@ -112,6 +131,11 @@ Encoded encoded(const Recipe::State& recipe, const Drawn& drawn) {
     } catch (const InputError& error) {
       throw input_error("recipe '" + recipe.name + "'", "sample {}: {}", drawn.place.sample, error.what());
     }
+  }
+  if (recipe.landmarks) {
+    const std::string points = landmarks_text(drawn.landmarks);
+    const auto of_points = std::as_bytes(std::span(points));
+    out.members.push_back({landmarks_ending, {of_points.begin(), of_points.end()}});
   }
   return out;
 }

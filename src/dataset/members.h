@@ -31,7 +31,9 @@ std::vector<std::string> endings_of(const Recipe::State& recipe);
 /// Throws InputError: a label has a number that its file does not hold.
 Encoded encoded(const Recipe::State& recipe, const Drawn& drawn);
 
-/// The hash of what was drawn.
-std::string hash_of_pictures(const Recipe::State& recipe, const Results& results);
+/// The hash of what was drawn, landmarks included: whether they are seen is of the picture.
+std::string hash_of_pictures(const Recipe::State& recipe, const Drawn& drawn);
+
+inline constexpr const char* landmarks_ending = "landmarks.json";
 
 }  // namespace dermis::dataset

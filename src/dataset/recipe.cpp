@@ -70,25 +70,24 @@ Entry read_entry(const json::Value& value) {
   return entry;
 }
 
-Outputs read_labels(const json::Value& root) {
-  std::vector<std::string> names;
+void read_labels(const json::Value& root, Recipe::State& s) {
+  std::vector<std::string> names{"landmarks"};
   for (const OutputRow& row : output_rows())
     if (Outputs{Output::matte}.has(row.output) ||
         (Outputs::labels().has(row.output) && row.output != Output::motion))
       names.emplace_back(row.name);
 
-  Outputs labels;
   const auto value = root.find("labels");
-  if (!value) return labels;
+  if (!value) return;
   for (std::size_t i = 0; i < value->array_size(0); ++i) {
     const std::string& name = value->element(i).text();
     if (name == "motion") value->element(i).fail("motion is between frames, and a sample is one");
     if (std::ranges::find(names, name) == names.end())
       value->element(i).fail("label {}", unknown_name(name, names));
+    s.landmarks |= name == "landmarks";
     for (const OutputRow& row : output_rows())
-      if (name == row.name) labels = labels | Outputs{row.output};
+      if (name == row.name) s.labels = s.labels | Outputs{row.output};
   }
-  return labels;
 }
 
 void read_size(const json::Value& root, Recipe::State& s) {
@@ -156,7 +155,7 @@ void read(const json::Value& root, Recipe::State& s) {
   if (s.samples % s.views != 0)
     root.at("samples").fail("must be a multiple of views_per_identity ({}), got {}", s.views, s.samples);
   read_size(root, s);
-  s.labels = read_labels(root);
+  read_labels(root, s);
 
   const json::Value identities = root.at("identities");
   for (std::size_t i = 0; i < identities.array_size(); ++i)

@@ -49,6 +49,7 @@ struct Recipe::State {
   double test_share = 0;
   int width = 0, height = 0;  ///< pixels
   Outputs labels;
+  bool landmarks = false;  ///< a label, too: a file of points
   std::vector<Entry> entries;
   Json settings, head, pose;
   std::vector<std::string> shared;         ///< paths whose values the views of a sitting share

@@ -68,7 +68,9 @@ void Studio::reopen() {
   session_.reset();
   renderer_.reset();
   renderer_.emplace(Renderer::Options{.device = device_, .hooks = hooks_});
-  session_.emplace(*renderer_, Session::Options{.wanted = Outputs{Output::display} | recipe_->labels});
+  Outputs wanted = Outputs{Output::display} | recipe_->labels;
+  if (recipe_->landmarks) wanted = wanted | Outputs{Output::depth};  // says which of them are seen
+  session_.emplace(*renderer_, Session::Options{.wanted = wanted});
 }
 
 Studio::Kept& Studio::head_of_sample(const Json& identity) {
@@ -82,7 +84,8 @@ Studio::Kept& Studio::head_of_sample(const Json& identity) {
   const Asset loaded =
       Asset::load(built_in ? asset : recipe_->file(asset), options_of(*recipe_, identity["options"]), hooks_);
   if (heads_.size() == most_heads) heads_.pop_back();
-  heads_.push_front({key, Scene(loaded), loaded.bounds().centre_m});
+  heads_.push_front({key, Scene(loaded), loaded.bounds().centre_m, {}});
+  if (recipe_->landmarks) heads_.front().landmarks = Landmarks::of(loaded);
   return heads_.front();
 }
 
@@ -103,6 +106,8 @@ Ordered Studio::ordered(const Place& place) {
   const HeadPlace stands = head_of(out.json["head"]);
 
   Kept& head = head_of_sample(identity);
+  if (recipe_->landmarks && !head.landmarks)
+    throw input_error("", "has no landmarks: no NAME.landmarks.json lies beside it");
   const InstanceId id = head.scene.instances().front();
   head.scene.set_pose(id, pose_of(identity["morphs"], out.json["pose"]));
   head.scene.set_transform(id, turned_about(head.centre_m, stands.turn_deg));
@@ -110,6 +115,11 @@ Ordered Studio::ordered(const Place& place) {
   head.scene.set_mix(id, stands.mix);
 
   out.ticket = session_->draw(head.scene, settings);
+  if (recipe_->landmarks) {
+    out.scene = head.scene;
+    out.landmarks = head.landmarks;
+    out.camera = resolved_camera(head.scene, settings);
+  }
   out.json["camera"] = api::camera_json(head.scene, settings);
   round_numbers(out.json["camera"]);
   if (!class_) {
@@ -120,7 +130,13 @@ Ordered Studio::ordered(const Place& place) {
 }
 
 Drawn Studio::finish(Ordered&& ordered) {
-  return {ordered.place, std::move(ordered.json), session_->results(ordered.ticket)};
+  Drawn drawn{ordered.place, std::move(ordered.json), session_->results(ordered.ticket), {}};
+  if (ordered.scene) {
+    const InstanceId id = ordered.scene->instances().front();
+    drawn.landmarks =
+        ordered.landmarks->in_picture(*ordered.scene, id, ordered.camera, drawn.results.depth_m);
+  }
+  return drawn;
 }
 
 DeviceClass Studio::device_class() {

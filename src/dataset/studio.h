@@ -6,9 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dataset/lock.h"
 #include "dataset/recipe.h"
+#include "dermis/camera.h"
+#include "dermis/landmarks.h"
 #include "dermis/session.h"
 
 namespace dermis::dataset {
@@ -18,6 +21,10 @@ struct Ordered {
   Place place;
   Json json;  ///< the parameters, then the camera
   Ticket ticket{};
+  /// The scene of this sample, for its landmarks; none: they are not wanted.
+  std::optional<Scene> scene;
+  std::optional<Landmarks> landmarks;
+  ResolvedCamera camera;
 };
 
 /// A drawn sample.
@@ -25,6 +32,7 @@ struct Drawn {
   Place place;
   Json json;
   Results results;
+  std::vector<Landmark> landmarks;  ///< empty: not wanted
 };
 
 /// One thread at a time may use it.
@@ -51,6 +59,7 @@ class Studio {
     std::string key;
     Scene scene;
     std::array<double, 3> centre_m{};
+    std::optional<Landmarks> landmarks;
   };
   Kept& head_of_sample(const Json& identity);
   Ordered ordered(const Place& place);

@@ -190,7 +190,7 @@ class Check {
   void redraw_one(Studio& studio, const Manifest& manifest, const SampleHashes& sample) {
     const Drawn drawn = studio.finish(studio.begin(sample.sample));
     ++found.redrawn;
-    if (hash_of_pictures(*lock_.recipe, drawn.results) == sample.pictures_sha256) return;
+    if (hash_of_pictures(*lock_.recipe, drawn) == sample.pictures_sha256) return;
     if (studio.device_class() == manifest.device)
       return fault("{}: sample {}: drawn again, its pictures differ", manifest.file, sample.sample);
 

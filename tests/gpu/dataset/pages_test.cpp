@@ -42,6 +42,40 @@ TEST_F(Pages, BoxesAreThoseOfTheProjection) {
   }
 }
 
+TEST_F(Pages, KeypointsAreOfTheHead) {
+  recipe.update(Tree::parse(R"({
+    "samples": 2, "samples_per_shard": 2, "test_share": 0, "size": [64, 64],
+    "labels": ["instance", "region", "landmarks"], "identities": [{"asset": "built-in:ita-tan"}],
+    "pose": {"weights": {"jaw open": {"uniform": [0, 1]}}}})"));
+  const fs::path set = prepared("set");
+  write(set, {}, quiet);
+  EXPECT_EQ(verify(set, 1, quiet).faults, std::vector<std::string>{}) << "the same points when drawn again";
+
+  const Tree found = Tree::parse(coco(set));
+  ASSERT_EQ(found["categories"][0]["keypoints"].size(), 70u);
+  for (int image = 0; image < 2; ++image) {
+    SCOPED_TRACE(image);
+    Tree head, nose;
+    for (const Tree& one : found["annotations"])
+      if (one["image_id"] == image)
+        (one["category_id"] == 1 ? head : nose) = one["category_id"] == 3 ? nose : one;
+    ASSERT_EQ(head["keypoints"].size(), 210u);
+    EXPECT_EQ(head["num_keypoints"], 70);
+    constexpr std::size_t tip = 30;  // of the nose
+    const double x = head["keypoints"][3 * tip], y = head["keypoints"][3 * tip + 1];
+    EXPECT_EQ(head["keypoints"][3 * tip + 2], 2);
+    EXPECT_NEAR(x, nose["bbox"][0].get<double>() + nose["bbox"][2].get<double>() / 2,
+                nose["bbox"][2].get<double>() / 2 + 1);
+    EXPECT_NEAR(y, nose["bbox"][1].get<double>() + nose["bbox"][3].get<double>() / 2,
+                nose["bbox"][3].get<double>() / 2 + 1);
+  }
+}
+
+TEST_F(Pages, LandmarksNeedAHeadThatHasThem) {
+  recipe["labels"] = {"landmarks"};
+  EXPECT_NE(tests::thrown<InputError>([&] { prepared("set"); }).find("has no landmarks"), std::string::npos);
+}
+
 TEST_F(Pages, BoxesNeedALabel) {
   recipe["labels"] = {"depth"};
   const fs::path set = prepared("set");

@@ -177,7 +177,7 @@ TEST(Recipe, ThatOfTheDocumentIsOne) {
   const std::size_t begin = document.find("```json\n") + 8, end = document.find("```", begin);
   const Recipe r = Recipe::parse(document.substr(begin, end - begin), ".");
   EXPECT_EQ(r.samples(), 4000u);
-  EXPECT_EQ(r.identities(), 3u);
+  EXPECT_EQ(r.identities(), 6u);
 }
 
 TEST(Recipe, ItsHashIsThatOfItsValues) {
