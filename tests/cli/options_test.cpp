@@ -94,8 +94,10 @@ TEST_F(Options, NamesNearAKnownOneAreAskedFor) {
   refuse({"--profile", "skinn"}, "did you mean 'skin'?");
   refuse({"--environment", "stduio"}, "did you mean 'studio'?");
   refuse({"--background", "blakc"}, "did you mean 'black'?");
-  expect_refused(run({"render", "built-in:lihgt", "-o", picture().string()}),
-                 "no skin 'lihgt'; there are: light, medium, dark; did you mean 'light'?");
+  expect_refused(
+      run({"render", "built-in:lihgt", "-o", picture().string()}),
+      "no skin 'lihgt'; there are: light, medium, dark, ita-very-light, ita-light, ita-intermediate, "
+      "ita-tan, ita-brown, ita-dark; did you mean 'light'?");
   expect_refused(run({"render", "bulit-in", "-o", picture().string()}), "did you mean 'built-in'?");
   expect_refused(run({"render", "test:nsoe", "-o", picture().string()}), "did you mean 'nose'?");
   expect_refused(run({"profile", "--preset", "skin3"}), "did you mean 'skin1'?");
