@@ -140,7 +140,9 @@ std::vector<PendingFile> label_files(Renderer& renderer, const Scene& scene, con
   Results results = session.results(session.draw(scene, unlit));
 
   Json of_labels = Json::object(), marks;
-  if (marked) marks = api::landmarks_json(scene, settings, results);
+  const ResolvedCamera camera = resolved_camera(scene, settings);
+  // The heads of a row are no instances.
+  if (marked && settings.camera.heads == 1) marks = api::landmarks_json(scene, camera, results);
   if (labels.landmarks && marks.is_null()) refuse_landmarks(scene, settings);
   if (!labels.outputs.has(Output::depth)) results.depth_m = {};
   std::vector<PendingFile> files;
@@ -151,7 +153,7 @@ std::vector<PendingFile> label_files(Renderer& renderer, const Scene& scene, con
   Json sheet{
       {"schema", 1},
       {"picture", std::filesystem::path(path).filename().string()},
-      {"camera", api::camera_json(scene, settings)},
+      {"camera", api::camera_json(camera)},
       {"sampling", "one sample at the middle of each pixel; blended parts leave front and front_part alone"},
       {"labels", of_labels},
       {"instances", instances_json(scene)}};

@@ -33,15 +33,6 @@ gaussians::SumOfGaussians sum_for_kernels(const Source& source, const Fitted& fi
   return sum;
 }
 
-std::string parameters_of(const Source& source, const Fitted& fitted, const std::string& system) {
-  gaussians::Exported input{
-      .name = source.name, .profiles = source.profiles, .terms = {}, .medium = source.medium};
-  for (int c = 0; c < 3; ++c)
-    for (const gaussians::Term& term : normalised(fitted, c))
-      input.terms[c].push_back({term.variance_mm2, term.weight});
-  return gaussians::export_text(system, input);
-}
-
 std::string write_kernel(const gaussians::ExportedKernel& kernel, const ExportOptions& options) {
   fs::create_directory(options.folder);
   std::string written;
@@ -97,7 +88,7 @@ void check_export(const ExportOptions& options) {
 }
 
 std::string exported(const Source& source, const Fitted& fitted, const ExportOptions& options) {
-  if (!options.is_kernel()) return parameters_of(source, fitted, options.name);
+  if (!options.is_kernel()) return exported(source, fitted, options.name);
   const gaussians::ExportedKernel kernel =
       gaussians::export_kernel(options.name, sum_for_kernels(source, fitted), options.taps);
   return options.folder.empty() ? kernel.json : write_kernel(kernel, options);

@@ -109,7 +109,7 @@ enum class AssetAlpha : std::uint8_t { opaque, mask, blend };
 /// A metallic-roughness material of glTF 2.0. Colours and factors are linear.
 struct AssetMaterial {
   std::string name;
-  /// Whether it is skin, unless SceneOptions::skin_material names one. none: it is if "skin" is a word of its
+  /// True: it is skin, unless SceneOptions::skin_material names one. none: it is if "skin" is a word of its
   /// name and no material says that it is. Also if it is the only material in use and no other is called
   /// skin. Skin that is blended is drawn as a surface, with a warning.
   std::optional<bool> skin{};

@@ -39,7 +39,7 @@ using PixelMask = std::span<const std::uint8_t>;
 struct Flip {
   std::vector<float> map;  ///< one per pixel
   double mean = 0;         ///< over the mask
-  /// Of linear light, exposures at which the reference was shown: from, to, how many. Else 0.
+  /// Exposures at which a reference of linear light was shown: from, to, how many. Else 0.
   double start_exposure = 0, stop_exposure = 0;
   int exposures = 0;
 };

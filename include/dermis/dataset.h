@@ -151,7 +151,7 @@ std::string sheet(const std::filesystem::path& folder, std::size_t samples = 60)
 /// neither `instance` nor `region`.
 std::string coco(const std::filesystem::path& folder);
 
-/// Where the time of samples goes, seconds. Encoding runs beside drawing, on `threads`.
+/// The time of samples by its parts, seconds. Encoding runs beside drawing, on `threads`.
 struct Benchmark {
   std::uint64_t samples = 0;
   double total_s = 0;

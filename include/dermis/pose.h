@@ -32,7 +32,7 @@ struct MorphWeight {
   double weight = 0;   ///< -100 to 100; 0: none of it, 1: all of it
 };
 
-/// Where a node stands against its parent, in place of what a clip has. It scales, then turns, then moves. A
+/// A node against its parent, in place of its transform in a clip. It scales, then turns, then moves. A
 /// member without a value stays as in the clip, or else in the asset as it was loaded.
 struct JointTransform {
   std::string name{};                                  ///< as Asset::joints() names it

@@ -19,7 +19,7 @@ namespace dermis {
 std::vector<std::string> exchange_systems();
 
 /// Returns JSON: "system", "parameters" under that system's own names, "units", "lost" (what it cannot hold).
-/// Of a profile that was read, its Gaussians are the curve. Throws InputError: an unknown system (lists
+/// Gaussians are the curve of a profile that was read. Throws InputError: an unknown system (lists
 /// them), what check_profile() refuses.
 std::string export_profile(const ScatterProfile& profile, const std::string& system);
 
@@ -40,8 +40,9 @@ ProfileKernel export_kernel(const ScatterProfile& profile, const std::string& ke
 ScatterProfile profile_of_table(const std::string& name, const std::vector<double>& r_mm,
                                 const std::vector<std::array<double, 3>>& reflectance_per_mm2,
                                 const ProfileOptions& options = {}, const Hooks& hooks = {});
-/// Of parameters of another system: "unity reflectance=0.8,0.5,0.4 scattering_distance=0.76,0.32,0.2". Throws
-/// InputError for an unknown system or key (lists them) and for text whose unit is open (names its readings).
+/// Reads parameters of another system: "unity reflectance=0.8,0.5,0.4 scattering_distance=0.76,0.32,0.2".
+/// Throws InputError for an unknown system or key (lists them) and for text whose unit is open (names its
+/// readings).
 ScatterProfile profile_of_import(const std::string& text, const ProfileOptions& options = {},
                                  const Hooks& hooks = {});
 

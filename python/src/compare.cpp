@@ -149,6 +149,7 @@ void add_comparison(nb::module_& m) {
       .def_ro("noise_percent", &SceneComparison::noise_percent)
       .def_ro("curves", &SceneComparison::curves)
       .def_ro("noise", &SceneComparison::noise)
+
       .def("region_count", [](const Comparison& c) { return c->regions.size(); })
       .def("region_name", [](const Comparison& c, std::size_t i) { return c->regions.at(i).name; })
       .def("region_mask",
@@ -157,6 +158,7 @@ void add_comparison(nb::module_& m) {
            })
       .def("reference_display",
            [](const Comparison& c) { return bytes_over(c, c->reference_display, c->width, c->height, 4); })
+
       .def("technique_count", [](const Comparison& c) { return c->techniques.size(); })
       .def("technique_name", [row](const Comparison& c, std::size_t i) { return row(c, i).name; })
       .def("technique_errors", [row](const Comparison& c, std::size_t i) { return row(c, i).errors; })
@@ -171,6 +173,7 @@ void add_comparison(nb::module_& m) {
       .def("technique_flip", [row](const Comparison& c, std::size_t i) {
         return array_over(const_cast<float*>(row(c, i).flip.data()), c->width, c->height, 1, keeper(c));
       });
+
   m.def("compare_scene", compared, nb::arg("scene"), nb::arg("settings"), nb::arg("reference"),
         nb::arg("techniques"), nb::arg("supersample"), nb::arg("one_gaussian"), nb::arg("each_optimisation"),
         nb::arg("curves"), nb::arg("truth").none(), nb::arg("device"), nb::arg("progress").none());

@@ -89,6 +89,7 @@ void add_datasets(nb::module_& m) {
   nb::exception<dataset::TryAgain> try_again(m, "TryAgain", PyExc_RuntimeError);
   try_again.attr("__doc__") =
       "The work may succeed elsewhere or later: a full disk, a lost device. No shard is half-written.";
+
   add_results(m);
   m.def("dataset_recipe", [](const std::string& path) { return dataset::Recipe::load(path); });
   m.def("dataset_recipe_of", [](const std::string& folder) { return dataset::recipe_of(folder); });
@@ -97,6 +98,7 @@ void add_datasets(nb::module_& m) {
   m.def("dataset_write", write, nb::arg("folder"), nb::arg("shards"), nb::arg("device"), nb::arg("threads"),
         nb::arg("progress").none());
   m.def("dataset_missing", [](const std::string& folder) { return dataset::missing(folder); });
+
   m.def(
       "dataset_verify",
       [](const std::string& folder, double redraw, const std::string& device, const nb::object& progress) {
@@ -105,6 +107,7 @@ void add_datasets(nb::module_& m) {
         });
       },
       nb::arg("folder"), nb::arg("redraw"), nb::arg("device"), nb::arg("progress").none());
+
   m.def("dataset_slurm",
         [](const std::string& folder, const std::string& program, const std::string& partition, int minutes,
            std::uint64_t tasks, const std::string& device) {
@@ -114,10 +117,12 @@ void add_datasets(nb::module_& m) {
                                                 .most_tasks = tasks,
                                                 .device = device});
         });
+
   m.def("dataset_sheet", [](const std::string& folder, std::size_t samples) {
     return run([=] { return dataset::sheet(folder, samples); });
   });
   m.def("dataset_coco", [](const std::string& folder) { return run([=] { return dataset::coco(folder); }); });
+
   m.def(
       "dataset_bench",
       [](const std::string& recipe, std::uint64_t samples, const std::string& device, int threads,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the time of samples goes.
+// The time of samples, by its parts.
 #include <unistd.h>
 
 #include <algorithm>

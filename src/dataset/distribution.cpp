@@ -235,6 +235,8 @@ class Alternatives : public Picker {
 
 }  // namespace
 
+bool is_distribution(const Json& tree) { return kind_of(tree).has_value(); }
+
 void check_distributions(const json::Value& value) {
   if (value.is_object()) {
     if (const auto kind = kind_of([&](const char* name) { return value.has(name); }))

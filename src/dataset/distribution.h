@@ -25,6 +25,9 @@ namespace dermis::dataset {
 
 using Json = nlohmann::ordered_json;
 
+/// Returns whether an object stands for a value.
+bool is_distribution(const Json& tree);
+
 /// Throws InputError with the place if a distribution within a value is not as above.
 void check_distributions(const json::Value& value);
 

@@ -2,7 +2,6 @@
 #include "dataset/members.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "api/prepare/label_forms.h"
@@ -13,6 +12,8 @@
 
 namespace dermis::dataset {
 namespace {
+
+constexpr double point_steps = 1e4;  // in a pixel, in a metre
 
 std::string ending_of(const api::LabelForm& form) {
   return fmt::format("{}.{}", api::row_of(form.output).name, form.step == 0 ? "npy" : "png");
@@ -43,17 +44,17 @@ std::vector<std::byte> encode_display(const Results& results) {
   return image::encode_png(picture, false, image::PngEffort::fast);
 }
 
+Member text_member(const char* ending, const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {ending, {bytes.begin(), bytes.end()}};
+}
+
 // Returns the landmarks as a file of their own: the JSON of a sample is equal on every device, and whether a
 // point is seen is of the picture.
 std::string landmarks_text(const std::vector<Landmark>& landmarks) {
-  const auto number = [](double value) {
-    return std::isfinite(value) ? Json(std::round(value * 1e4) / 1e4) : Json(nullptr);
-  };
-  Json points = Json::array();
-  for (const Landmark& mark : landmarks)
-    points.push_back({number(mark.x), number(mark.y), number(mark.depth_m), mark.seen ? 1 : 0});
-  const Json json{
-      {"values", {"x", "y", "depth", "seen"}}, {"units", {"px", "px", "m", ""}}, {"points", points}};
+  Json json = api::landmark_columns_json();
+  json["points"] = api::landmark_points_json(landmarks);
+  round_numbers(json["points"], point_steps);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -114,8 +115,7 @@ Encoded encoded(const Recipe::State& recipe, const Drawn& drawn) {
       .sample = drawn.place.sample, .members = {}, .json_sha256 = sha256(text), .pictures_sha256 = {}};
   out.pictures_sha256 = hash_of_pictures(recipe, drawn);
   out.members.push_back({"png", encode_display(drawn.results)});
-  const auto bytes = std::as_bytes(std::span(text));
-  out.members.push_back({"json", {bytes.begin(), bytes.end()}});
+  out.members.push_back(text_member("json", text));
 
   for (const api::LabelForm& form : api::label_forms()) {
     if (!recipe.labels.has(form.output)) continue;
@@ -132,11 +132,7 @@ Encoded encoded(const Recipe::State& recipe, const Drawn& drawn) {
       throw input_error("recipe '" + recipe.name + "'", "sample {}: {}", drawn.place.sample, error.what());
     }
   }
-  if (recipe.landmarks) {
-    const std::string points = landmarks_text(drawn.landmarks);
-    const auto of_points = std::as_bytes(std::span(points));
-    out.members.push_back({landmarks_ending, {of_points.begin(), of_points.end()}});
-  }
+  if (recipe.landmarks) out.members.push_back(text_member(landmarks_ending, landmarks_text(drawn.landmarks)));
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "api/prepare/label_forms.h"
 #include "core/error.h"
 #include "core/known_names.h"
 #include "core/one_line.h"
@@ -72,10 +73,7 @@ Entry read_entry(const json::Value& value) {
 
 void read_labels(const json::Value& root, Recipe::State& s) {
   std::vector<std::string> names{"landmarks"};
-  for (const OutputRow& row : output_rows())
-    if (Outputs{Output::matte}.has(row.output) ||
-        (Outputs::labels().has(row.output) && row.output != Output::motion))
-      names.emplace_back(row.name);
+  for (const api::LabelForm& form : api::label_forms()) names.emplace_back(api::row_of(form.output).name);
 
   const auto value = root.find("labels");
   if (!value) return;
@@ -85,8 +83,8 @@ void read_labels(const json::Value& root, Recipe::State& s) {
     if (std::ranges::find(names, name) == names.end())
       value->element(i).fail("label {}", unknown_name(name, names));
     s.landmarks |= name == "landmarks";
-    for (const OutputRow& row : output_rows())
-      if (name == row.name) s.labels = s.labels | Outputs{row.output};
+    for (const api::LabelForm& form : api::label_forms())
+      if (name == api::row_of(form.output).name) s.labels = s.labels | Outputs{form.output};
   }
 }
 

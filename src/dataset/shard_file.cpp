@@ -34,10 +34,9 @@ constexpr auto patience = 2s;  // for what another worker writes beside a file t
   throw TryAgain(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
 }
 
+// In names of files.
 std::string host() {
-  std::array<char, 256> name{};
-  if (::gethostname(name.data(), name.size() - 1) != 0) return "unknown";
-  std::string text(name.data());
+  std::string text = host_name();
   for (char& c : text)
     if (c == '/' || c == '.') c = '-';
   return text.empty() ? "unknown" : text;
@@ -123,6 +122,11 @@ int named_once(const fs::path& from, const fs::path& to) {
 }
 
 }  // namespace
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
 
 fs::path temporary_of(const fs::path& path) {
   static std::atomic<unsigned> number{0};  // workers may be threads of one process

@@ -17,6 +17,9 @@
 
 namespace dermis::dataset {
 
+/// Returns the name of this machine; empty: it has none.
+std::string host_name();
+
 /// "SHARD.HOST.PID" for another file beside it.
 std::filesystem::path temporary_of(const std::filesystem::path& path);
 

@@ -70,12 +70,6 @@ std::string word(const Json& value) {
 /// The values that distributions gave, by their path.
 using Values = std::map<std::string, std::vector<Json>>;
 
-bool is_distribution(const Json& tree) {
-  for (const char* key : {"uniform", "whole", "log_uniform", "normal", "choice", "table"})
-    if (tree.is_object() && tree.contains(key)) return true;
-  return false;
-}
-
 void collect(const Json& tree, const Json& value, const std::string& path, Values& into) {
   if (is_distribution(tree)) {
     into[path].push_back(value);

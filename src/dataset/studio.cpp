@@ -48,16 +48,16 @@ std::array<double, 16> turned_about(const std::array<double, 3>& centre_m,
   return m;
 }
 
-void round_numbers(Json& json) {
+}  // namespace
+
+void round_numbers(Json& json, double steps) {
   if (json.is_number_float()) {
-    const double rounded = std::round(json.get<double>() * camera_steps) / camera_steps;
+    const double rounded = std::round(json.get<double>() * steps) / steps;
     json = rounded == 0 ? 0.0 : rounded;
   }
   if (json.is_structured())
-    for (Json& value : json) round_numbers(value);
+    for (Json& value : json) round_numbers(value, steps);
 }
-
-}  // namespace
 
 Studio::Studio(std::shared_ptr<const Recipe::State> recipe, std::string device, const Hooks& hooks)
     : recipe_(std::move(recipe)), device_(std::move(device)), hooks_(hooks) {
@@ -115,13 +115,10 @@ Ordered Studio::ordered(const Place& place) {
   head.scene.set_mix(id, stands.mix);
 
   out.ticket = session_->draw(head.scene, settings);
-  if (recipe_->landmarks) {
-    out.scene = head.scene;
-    out.landmarks = head.landmarks;
-    out.camera = resolved_camera(head.scene, settings);
-  }
-  out.json["camera"] = api::camera_json(head.scene, settings);
-  round_numbers(out.json["camera"]);
+  const ResolvedCamera camera = resolved_camera(head.scene, settings);
+  out.json["camera"] = api::camera_json(camera);
+  round_numbers(out.json["camera"], camera_steps);
+  if (recipe_->landmarks) out.posed = {head.scene, *head.landmarks, camera};
   if (!class_) {
     const Statistics statistics = session_->statistics(out.ticket);
     class_ = DeviceClass{statistics.device, statistics.driver, statistics.api};
@@ -131,11 +128,9 @@ Ordered Studio::ordered(const Place& place) {
 
 Drawn Studio::finish(Ordered&& ordered) {
   Drawn drawn{ordered.place, std::move(ordered.json), session_->results(ordered.ticket), {}};
-  if (ordered.scene) {
-    const InstanceId id = ordered.scene->instances().front();
-    drawn.landmarks =
-        ordered.landmarks->in_picture(*ordered.scene, id, ordered.camera, drawn.results.depth_m);
-  }
+  if (const auto& posed = ordered.posed)
+    drawn.landmarks = posed->landmarks.in_picture(posed->scene, posed->scene.instances().front(),
+                                                  posed->camera, drawn.results.depth_m);
   return drawn;
 }
 

@@ -16,15 +16,21 @@
 
 namespace dermis::dataset {
 
+/// Rounds all numbers to multiples of 1 / steps.
+void round_numbers(Json& json, double steps);
+
 /// A sample on its way.
 struct Ordered {
   Place place;
   Json json;  ///< the parameters, then the camera
   Ticket ticket{};
-  /// The scene of this sample, for its landmarks; none: they are not wanted.
-  std::optional<Scene> scene;
-  std::optional<Landmarks> landmarks;
-  ResolvedCamera camera;
+  /// For its landmarks, which wait for the depths; none: they are not wanted.
+  struct Posed {
+    Scene scene;
+    Landmarks landmarks;
+    ResolvedCamera camera;
+  };
+  std::optional<Posed> posed;
 };
 
 /// A drawn sample.

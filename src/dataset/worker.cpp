@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dataset/worker.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <chrono>
 #include <deque>
@@ -32,11 +30,6 @@ class Measured {
   double& sum_s_;
   Clock::time_point start_ = Clock::now();
 };
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
 
 void write_zeros(ShardFile& file, std::size_t count) {
   constexpr std::array<std::byte, tar_end> zeros{};

@@ -40,9 +40,6 @@ Maps maps_of(const scene::Scene& scene);
 struct Wanted {
   std::filesystem::path melanin_map, haemoglobin_map;  ///< empty: as in the colour map
   double melanin = 1, haemoglobin = 1;                 ///< multiply what the maps say
-  bool changes() const {
-    return !melanin_map.empty() || !haemoglobin_map.empty() || melanin != 1 || haemoglobin != 1;
-  }
 };
 
 /// Gives skin other pigments. Each texel of its colour maps is multiplied by the model's albedo of the wanted

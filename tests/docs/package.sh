@@ -8,6 +8,13 @@ place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 
 fail() { echo "$1"; exit 1; }
+# build SOURCES FOLDER: against what is installed
+build() {
+  quiet "$cmake" -S "$1" -B "$2" -G "$generator" \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" \
+    -DCMAKE_C_COMPILER="$c" -DCMAKE_PREFIX_PATH="$place/installed"
+  quiet "$cmake" --build "$2"
+}
 quiet() { "$@" > "$place/log" 2>&1 || { cat "$place/log"; fail "failed: $*"; }; }
 
 quiet "$cmake" --install "$build_folder" --component development --prefix "$place/installed"
@@ -21,10 +28,7 @@ fi
 
 # A copy: nothing of the source tree must be in reach of the example.
 cp -r "$source_folder/docs/example" "$place/example"
-quiet "$cmake" -S "$place/example" -B "$place/build" -G "$generator" \
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" \
-  -DCMAKE_C_COMPILER="$c" -DCMAKE_PREFIX_PATH="$place/installed"
-quiet "$cmake" --build "$place/build"
+build "$place/example" "$place/build"
 "$place/build/portrait" "$place/portrait.png" | head -3
 
 signature=$(head -c 8 "$place/portrait.png" | od -An -tx1 | tr -d ' \n')
@@ -46,10 +50,7 @@ find_package(GTest REQUIRED)
 add_executable(alone draw_alone_test.cpp)
 target_link_libraries(alone PRIVATE dermis::draw GTest::gtest_main)
 CMAKE
-quiet "$cmake" -S "$place/alone" -B "$place/alone/build" -G "$generator" \
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$cxx" \
-  -DCMAKE_C_COMPILER="$c" -DCMAKE_PREFIX_PATH="$place/installed"
-quiet "$cmake" --build "$place/alone/build"
+build "$place/alone" "$place/alone/build"
 grep -qiE "embree|openexr|draco|tbb" "$place/alone/build/CMakeCache.txt" &&
   fail "find_package(dermis COMPONENTS draw) looks for libraries that it does not need"
 quiet "$place/alone/build/alone"

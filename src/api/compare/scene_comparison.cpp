@@ -354,7 +354,7 @@ class Run {
     return all_.techniques.back().statistics;
   }
 
-  // Of all rows and points, in turns.
+  // Draws all rows and points in turns.
   void take_times() {
     const std::vector<std::vector<double>> ms =
         api::draw_in_turns(renderer_, turns_, settings_.render.output.frames, settings_.hooks.stop);

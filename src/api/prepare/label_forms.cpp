@@ -5,8 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "dermis/camera.h"
-#include "dermis/landmarks.h"
 
 namespace dermis::api {
 namespace {
@@ -90,8 +88,7 @@ Json png_label_json(const LabelForm& form, const std::string& file) {
   return json;
 }
 
-Json camera_json(const Scene& scene, const RenderSettings& settings) {
-  const ResolvedCamera camera = resolved_camera(scene, settings);
+Json camera_json(const ResolvedCamera& camera) {
   const auto matrix = [](const std::array<double, 9>& m) {
     return Json{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
   };
@@ -109,28 +106,35 @@ Json camera_json(const Scene& scene, const RenderSettings& settings) {
       {"near_m", camera.near_m}};
 }
 
-Json landmarks_json(const Scene& scene, const RenderSettings& settings, const Results& results) {
-  if (settings.camera.heads > 1) return nullptr;  // the heads of a row are no instances
-  const ResolvedCamera camera = resolved_camera(scene, settings);
+Json landmark_points_json(std::span<const Landmark> landmarks) {
+  Json points = Json::array();
+  for (const Landmark& mark : landmarks)
+    points.push_back(
+        {number_json(mark.x), number_json(mark.y), number_json(mark.depth_m), mark.seen ? 1 : 0});
+  return points;
+}
+
+Json landmark_columns_json() {
+  return {{"values", {"x", "y", "depth", "seen"}}, {"units", {"px", "px", "m", ""}}};
+}
+
+Json landmarks_json(const Scene& scene, const ResolvedCamera& camera, const Results& results) {
   Json instances = Json::array();
   bool some = false;
   for (const InstanceId id : scene.instances()) {
     const auto marks = Landmarks::of(scene.instance(id).asset);
     some |= marks.has_value();
-    Json points = marks ? Json::array() : Json(nullptr);
-    if (marks)
-      for (const Landmark& mark : marks->in_picture(scene, id, camera, results.depth_m))
-        points.push_back(
-            {number_json(mark.x), number_json(mark.y), number_json(mark.depth_m), mark.seen ? 1 : 0});
-    instances.push_back(points);
+    instances.push_back(marks ? landmark_points_json(marks->in_picture(scene, id, camera, results.depth_m))
+                              : Json(nullptr));
   }
   if (!some) return nullptr;
-  return {{"about",
-           "iBUG's 68 points, then the right and the left pupil; right is the person's. Fixed to the skin, "
-           "also along the jaw. seen: the picture shows the point, whatever hair lies before it"},
-          {"values", {"x", "y", "depth", "seen"}},
-          {"units", {"px", "px", "m", ""}},
-          {"instances", instances}};
+
+  Json json{{"about",
+             "iBUG's 68 points, then the right and the left pupil; right is the person's. Fixed to the skin, "
+             "also along the jaw. seen: the picture shows the point, whatever hair lies before it"}};
+  json.update(landmark_columns_json());
+  json["instances"] = instances;
+  return json;
 }
 
 }  // namespace dermis::api
