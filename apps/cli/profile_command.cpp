@@ -112,7 +112,7 @@ void run(const ProfileArguments& options) {
                          .others = std::move(others)};
   if (!options.plot.empty()) write_file(options.plot, profile_svg(plot));
   if (!options.swatches.empty())
-    image::save_png(options.swatches, skin_swatches(source.skin.value_or(optics::Skin{})));
+    image::save_png(options.swatches, skin_swatches(source.skin.value_or(SpectralSkin{})));
   if (!options.output.empty()) write_text(options.output, profile_json(source, fitted));
   if (options.output == "-") return;  // only JSON goes to standard output
   write_text("-", options.exports.name.empty() ? table(source, fitted) + differences(plot.fit, plot.others)
@@ -134,7 +134,7 @@ CLI::Option* add_text(CLI::App& command, const std::string& name, std::string& v
 /// The members of spectral skin: melanin makes it a source, the others refine it, or the skin of a colour.
 void add_skin_options(CLI::App& command, SourceOptions& source) {
   const std::string refining = "Spectral skin (with --melanin or --colour)";
-  const SpectralSkin measured = optics::spectral_skin(optics::measured_skin());
+  const SpectralSkin measured = optics::measured_skin();
 
   const auto one = [&](const auto& field) {
     double& value = source.skin.*field.member;
@@ -153,11 +153,6 @@ void add_skin_options(CLI::App& command, SourceOptions& source) {
                command.add_option_function<double>(names, read, help));
   };
   std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<SpectralSkin>);
-  rare(command
-           .add_option("--oiliness", source.oiliness,
-                       "strength of the surface reflection, 0 to 1 (default 0.3); changes colours (--colour, "
-                       "--swatches), not the profile")
-           ->group(refining));
 }
 
 void add_source_options(CLI::App& command, SourceOptions& source) {

@@ -17,6 +17,7 @@
 #include "profile/spectral.h"
 #include "profile/tabulated.h"
 #include "scene/load.h"
+#include "settings/check.h"
 #include "settings/names.h"
 #include "settings/profile_fields.h"
 
@@ -122,23 +123,20 @@ Source from_import(const SourceOptions& options) {
 }
 
 /// What the options say on top of `skin`.
-optics::Skin refined(optics::Skin skin, const SourceOptions& options) {
-  SpectralSkin members = optics::spectral_skin(skin);
+SpectralSkin refined(SpectralSkin skin, const SourceOptions& options) {
   const auto one = [&](const auto& field) {
-    if (options.given.contains(std::string(field.name))) members.*field.member = options.skin.*field.member;
+    if (options.given.contains(std::string(field.name))) skin.*field.member = options.skin.*field.member;
   };
   std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<SpectralSkin>);
 
-  skin.oiliness = options.oiliness.value_or(skin.oiliness);
-  skin = optics::skin_of(members, skin);
-  optics::check(skin, "");
+  check_ranges(skin);
   return skin;
 }
 
-Source from_skin(const std::string& name, const optics::Skin& skin, const SourceOptions& options) {
+Source from_skin(const std::string& name, const SpectralSkin& skin, const SourceOptions& options) {
   Source source = from_models(name, make_profiles(skin, options.profile.model, monte_carlo(options), "skin"));
   source.skin = skin;
-  summarise(source, skin.eta);
+  summarise(source, optics::skin_eta);
   return source;
 }
 
@@ -158,16 +156,16 @@ Source from_colour(const SourceOptions& options) {
 
 // Maps are made for one skin; what is refined would be another.
 Source from_head(const SourceOptions& options) {
-  if (!options.given.empty() || options.oiliness)
+  if (!options.given.empty())
     throw input_error("--head",
-                      "finds the skin itself: --melanin, --hemoglobin, --blend, --oxygenation, "
-                      "--epidermis-mm and --oiliness do not go with it");
+                      "finds the skin itself: --melanin, --hemoglobin, --blend, --oxygenation and "
+                      "--epidermis-mm do not go with it");
   const pigments::Maps maps =
       pigments::maps_of(scene::load_gltf(options.head, {.skin_material = options.skin_material}));
   if (!options.melanin_map.empty()) image::save_png(options.melanin_map, maps.melanin);
   if (!options.haemoglobin_map.empty()) image::save_png(options.haemoglobin_map, maps.haemoglobin);
 
-  optics::Skin skin = optics::measured_skin();
+  SpectralSkin skin = optics::measured_skin();
   skin.melanin = maps.mean.melanin;
   skin.haemoglobin = maps.mean.haemoglobin;
   Source source = from_skin("head " + std::filesystem::path(options.head).filename().string(), skin, options);
@@ -182,11 +180,10 @@ Source from_head(const SourceOptions& options) {
 }
 
 void check_refinements(const SourceOptions& options) {
-  const bool refines = !options.given.empty() || options.oiliness;
+  const bool refines = !options.given.empty();
   if (refines && !options.given.contains("melanin") && options.colour.empty() && options.head.empty())
     throw CLI::RequiredError(
-        "--blend, --hemoglobin, --oxygenation, --oiliness and --epidermis-mm refine --melanin or --colour, "
-        "one of which");
+        "--blend, --hemoglobin, --oxygenation and --epidermis-mm refine --melanin or --colour, one of which");
 }
 
 }  // namespace

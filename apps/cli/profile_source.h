@@ -22,7 +22,6 @@ struct SourceOptions {
   /// Members that were given: melanin makes it a source, the rest refine.
   SpectralSkin skin;
   std::set<std::string> given;  ///< names of those members
-  std::optional<double> oiliness;
   ProfileOptions profile;
   std::filesystem::path cache;  ///< of Monte-Carlo
 };
@@ -40,7 +39,7 @@ struct Source {
   std::array<profile::ProfilePtr, 3> profiles;
   optics::RgbMedium medium;          ///< the medium itself, or the homogeneous one that is equivalent
   bool equivalent = false;           ///< medium is a summary: equal total and half frequency
-  std::optional<optics::Skin> skin;  ///< of spectral skin and of colours
+  std::optional<SpectralSkin> skin;  ///< of spectral skin and of colours
 };
 
 /// Exactly one source must be set: CLI::ParseError (exit status 2) if none or several are; InputError if what

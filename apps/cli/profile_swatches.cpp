@@ -11,11 +11,11 @@
 
 namespace dermis::cli {
 
-image::Image8 skin_swatches(const optics::Skin& fixed) {
+image::Image8 skin_swatches(const SpectralSkin& fixed) {
   constexpr int columns = 12, rows = 8, side = 48;
   std::vector<std::array<std::uint8_t, 3>> colours(columns * rows);
   parallel_for(colours.size(), [&](std::size_t i) {
-    optics::Skin skin = fixed;
+    SpectralSkin skin = fixed;
     skin.melanin = 0.001 * std::pow(500.0, static_cast<double>(i % columns) / (columns - 1));
     skin.haemoglobin = 0.001 * std::pow(100.0, static_cast<double>(i / columns) / (rows - 1));
     const optics::Rgb linear = optics::skin_colour(skin);

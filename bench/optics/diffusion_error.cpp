@@ -75,7 +75,7 @@ int main() {
 
   const struct {
     const char* name;
-    optics::Skin skin;
+    SpectralSkin skin;
   } skins[] = {{"Caucasian", {.melanin = .005, .blend = .7, .haemoglobin = .005}},
                {"Asian", {.melanin = .15, .blend = 0, .haemoglobin = .01}},
                {"African", {.melanin = .5, .blend = .7, .haemoglobin = .05}}};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dermis/asset.h"
 
-#include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "api/asset_options.h"
 #include "api/asset_state.h"
 #include "api/rig_pose.h"
+#include "api/scene_state.h"
+#include "api/vectors.h"
 #include "core/error.h"
 #include "core/hooks.h"
 #include "scene/framing.h"
@@ -41,22 +41,7 @@ std::shared_ptr<const scene::Scene> with_pigments(scene::Scene&& scene, const Sc
 
 }  // namespace api
 
-namespace {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-LightType type_of(scene::LightType type) {
-  switch (type) {
-    case scene::LightType::directional: return LightType::directional;
-    case scene::LightType::spot: return LightType::spot;
-    case scene::LightType::point: break;
-  }
-  return LightType::point;
-}
-
-std::array<double, 3> values_of(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-
-}  // namespace
+namespace {}  // namespace
 
 Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
@@ -93,24 +78,15 @@ std::vector<std::string> Asset::morph_weights() const { return api::morph_names(
 
 AssetBounds Asset::bounds() const {
   const scene::Bounds bounds = scene::skin_bounds(*state_->data);
-  return {.low_m = values_of(bounds.low_m),
-          .high_m = values_of(bounds.high_m),
-          .centre_m = values_of(bounds.sphere.centre_m),
+  return {.low_m = api::array_of(bounds.low_m),
+          .high_m = api::array_of(bounds.high_m),
+          .centre_m = api::array_of(bounds.sphere.centre_m),
           .radius_m = double{bounds.sphere.radius_m}};
 }
 
 std::vector<Light> Asset::lights() const {
   std::vector<Light> lights;
-  for (const scene::Light& light : state_->data->lights)
-    lights.push_back({.name = light.name,
-                      .type = type_of(light.type),
-                      .colour = values_of(light.colour),
-                      .position_m = values_of(light.position_m),
-                      .direction = values_of(light.direction),
-                      .range_m = light.range_m,
-                      .inner_cone_deg = light.inner_cone_rad * degrees_per_radian,
-                      .outer_cone_deg = std::min(light.outer_cone_rad * degrees_per_radian, 90.0),
-                      .radius = light.radius});
+  for (const scene::Light& light : state_->data->lights) lights.push_back(api::light_of(light));
   return lights;
 }
 

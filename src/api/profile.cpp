@@ -96,17 +96,16 @@ ScatterProfile profile_of_skin(const SpectralSkin& skin, const ProfileOptions& o
   const HookScope scope(hooks);
   check_ranges(options);
   check_ranges(skin);
-  const optics::Skin inner = optics::skin_of(skin);
   const std::string name = fmt::format("spectral skin, melanin {:.4g}", skin.melanin);
-  return api::fitted_profile(name, make_profiles(inner, options.model, photons_of(options), name), nullptr,
-                             inner.eta, options);
+  return api::fitted_profile(name, make_profiles(skin, options.model, photons_of(options), name), nullptr,
+                             optics::skin_eta, options);
 }
 
 SpectralSkin skin_of_colour(const std::string& colour, double* delta_e, const Hooks& hooks) {
   const HookScope scope(hooks);
   const optics::SkinMatch match = optics::nearest_skin(optics::parse_colour(colour, "colour"));
   if (delta_e != nullptr) *delta_e = match.delta_e;
-  return optics::spectral_skin(match.skin);
+  return match.skin;
 }
 
 ProfileTable model_table(const ScatterProfile& profile, const Hooks& hooks) {

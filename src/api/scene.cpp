@@ -68,6 +68,8 @@ void check_tint(const std::array<double, 3>& tint) {
 }
 
 void check_light(const Light& light) {
+  if (light.type > LightType::point)
+    throw input_error("", "light.type is no known kind: {}", static_cast<int>(light.type));
   for (const double value : light.colour)
     require(value >= 0 && value <= 1e9, "light.colour", "0 to 1e9", value);
   require_finite(light.position_m, "light.position_m");
@@ -94,15 +96,6 @@ void check_environment(const SceneEnvironment& e) {
   environment::check_size("environment", e.width, e.height, e.rgb->size());
   if (!std::all_of(e.rgb->begin(), e.rgb->end(), [](float value) { return std::isfinite(value); }))
     throw input_error("", "environment.rgb has a value that is not finite");
-}
-
-scene::LightType type_of(LightType type) {
-  switch (type) {
-    case LightType::directional: return scene::LightType::directional;
-    case LightType::spot: return scene::LightType::spot;
-    case LightType::point: break;
-  }
-  return scene::LightType::point;
 }
 
 }  // namespace
@@ -296,6 +289,19 @@ Light light_now(const Scene::State& scene, const Scene::State::PlacedLight& plac
   return light;
 }
 
+Light light_of(const scene::Light& light) {
+  constexpr double degrees_per_radian = 180 / std::numbers::pi;
+  return {.name = light.name,
+          .type = light.type,
+          .colour = array_of(light.colour),
+          .position_m = array_of(light.position_m),
+          .direction = array_of(light.direction),
+          .range_m = light.range_m,
+          .inner_cone_deg = light.inner_cone_rad * degrees_per_radian,
+          .outer_cone_deg = std::min(light.outer_cone_rad * degrees_per_radian, 90.0),
+          .radius = light.radius};
+}
+
 scene::Light placed_light(const Light& light, const setup::Pose& pose) {
   constexpr double radians_per_degree = std::numbers::pi / 180;
   glm::dvec3 direction = vector_of(light.direction);
@@ -306,7 +312,7 @@ scene::Light placed_light(const Light& light, const setup::Pose& pose) {
   const bool near = light.type != LightType::directional;
   const float scale = near ? pose.scale : 1;
   return {.name = light.name,
-          .type = type_of(light.type),
+          .type = light.type,
           .colour = glm::vec3(vector_of(light.colour)) * scale * scale,
           .position_m = pose.position(glm::vec3(vector_of(light.position_m))),
           .direction = pose.direction(glm::vec3(direction)),

@@ -62,6 +62,8 @@ setup::PlacedScene placed_scene(const Scene& scene);
 /// instance.
 Light light_now(const Scene::State& scene, const Scene::State::PlacedLight& placed);
 
+/// Returns a light of an asset or of a rig, in its coordinates.
+Light light_of(const scene::Light& light);
 /// Returns the light of a rig or of the world, in the world.
 scene::Light placed_light(const Light& light, const setup::Pose& world_from_rig);
 

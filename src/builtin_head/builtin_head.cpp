@@ -47,7 +47,7 @@ scene::Primitive make_mesh(const Net& net) {
 scene::MapRef map_ref(int image, int channel) {
   scene::MapRef ref;
   ref.image = image;
-  ref.wrap_u = ref.wrap_v = scene::Wrap::clamp;
+  ref.wrap_u = ref.wrap_v = AssetWrap::clamp;
   ref.channel = channel;
   return ref;
 }

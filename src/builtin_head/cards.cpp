@@ -154,10 +154,10 @@ void add_hair_cards(const Sculpture& bust, scene::Scene& scene, const Colouring&
   m.metallic = 0;
   m.roughness = 0.7f;
   m.specular = 0.2f;
-  m.alpha_mode = scene::AlphaMode::blend;
+  m.alpha_mode = AssetAlpha::blend;
   m.double_sided = true;
   m.base_colour_map.image = static_cast<int>(scene.images.size());
-  m.base_colour_map.wrap_u = m.base_colour_map.wrap_v = scene::Wrap::clamp;
+  m.base_colour_map.wrap_u = m.base_colour_map.wrap_v = AssetWrap::clamp;
   scene.materials.push_back(m);
   scene.images.push_back(
       {"built-in hair", std::make_shared<const image::Image8>(paint_hairs(map_size, colours.hair))});

@@ -260,7 +260,7 @@ void add_eyes(const Sculpture& bust, scene::Scene& scene, const Colouring& colou
   scene.materials.back().occlusion_map.image = static_cast<int>(scene.images.size()) + 1;
   scene.materials.push_back(wet("caruncle", {0.50f, 0.19f, 0.155f, 1}, 0.30f));
   scene.materials.push_back(wet("tears", {0.34f, 0.24f, 0.21f, 0.20f}, 0.10f));
-  scene.materials.back().alpha_mode = scene::AlphaMode::blend;
+  scene.materials.back().alpha_mode = AssetAlpha::blend;
   scene.images.push_back(
       {"built-in eye", std::make_shared<const image::Image8>(paint_eye(map_size, colours))});
   scene.images.push_back(

@@ -9,7 +9,6 @@
 #include "core/assert.h"
 #include "core/error.h"
 #include "optics/fresnel.h"
-#include "settings/check.h"
 
 namespace dermis::optics {
 namespace {
@@ -36,34 +35,7 @@ double blood_per_mm(double extinction_per_cm_molar) {
   return std::numbers::ln10 * extinction_per_cm_molar * grams_per_litre / grams_per_mol * per_cm_to_per_mm;
 }
 
-// Of what no setting is.
-constexpr About oiliness_range{.least = 0, .most = 1}, eta_range{.least = 1, .most = 2};
-
 }  // namespace
-
-SpectralSkin spectral_skin(const Skin& skin) {
-  return {.melanin = skin.melanin,
-          .blend = skin.blend,
-          .haemoglobin = skin.haemoglobin,
-          .oxygenation = skin.oxygenation,
-          .epidermis_mm = skin.epidermis_mm};
-}
-
-Skin skin_of(const SpectralSkin& skin, const Skin& rest) {
-  return {.melanin = skin.melanin,
-          .blend = skin.blend,
-          .haemoglobin = skin.haemoglobin,
-          .oxygenation = skin.oxygenation,
-          .oiliness = rest.oiliness,
-          .epidermis_mm = skin.epidermis_mm,
-          .eta = rest.eta};
-}
-
-void check(const Skin& skin, const std::string& where) {
-  check_ranges(spectral_skin(skin), where);
-  check_number("oiliness", oiliness_range, skin.oiliness, where);
-  check_number("eta", eta_range, skin.eta, where);
-}
 
 double eumelanin_per_mm(double nm) { return 6.6e10 * std::pow(nm, -3.33); }
 double pheomelanin_per_mm(double nm) { return 2.9e14 * std::pow(nm, -4.75); }
@@ -72,7 +44,7 @@ double oxyhaemoglobin_per_mm(double nm) { return blood_per_mm(extinction(nm, &Ha
 double deoxyhaemoglobin_per_mm(double nm) { return blood_per_mm(extinction(nm, &HaemoglobinRow::deoxy)); }
 double skin_scattering_per_mm(double nm) { return 14.74 * std::pow(nm, -0.22) + 2.2e11 * std::pow(nm, -4); }
 
-Layers skin_layers(const Skin& skin, double nm) {
+Layers skin_layers(const SpectralSkin& skin, double nm) {
   const double base = baseline_per_mm(nm), scattering = skin_scattering_per_mm(nm);
 
   // [DJ06] eq. 1 to 6, with C_m melanin, beta blend, C_h haemoglobin, gamma oxygenation:
@@ -84,15 +56,15 @@ Layers skin_layers(const Skin& skin, double nm) {
 
   const Layer epidermis{.sigma_a_per_mm = skin.melanin * melanin + (1 - skin.melanin) * base,
                         .sigma_s_reduced_per_mm = scattering,
-                        .eta = skin.eta,
+                        .eta = skin_eta,
                         .thickness_mm = skin.epidermis_mm};
   const Layer dermis{.sigma_a_per_mm = skin.haemoglobin * blood + (1 - skin.haemoglobin) * base,
                      .sigma_s_reduced_per_mm = 0.5 * scattering,
-                     .eta = skin.eta,
+                     .eta = skin_eta,
                      .thickness_mm = std::numeric_limits<double>::infinity()};
   return {epidermis, dermis};
 }
 
-double entering_part(const Skin& skin) { return 1 - skin.oiliness * fresnel_moment_2c1(1 / skin.eta); }
+double entering_part() { return 1 - skin_oiliness * fresnel_moment_2c1(1 / skin_eta); }
 
 }  // namespace dermis::optics

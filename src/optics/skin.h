@@ -12,25 +12,11 @@
 
 namespace dermis::optics {
 
-/// The parameters of [DJ06], two layers. Measured skin has a melanin fraction of 0.001 to 0.1 (median 0.02);
-/// the model takes up to 0.5. Members that SpectralSkin has, too, are as there, with ranges and defaults.
-struct Skin {
-  double melanin = SpectralSkin().melanin;          ///< volume fraction of melanin in the epidermis
-  double blend = SpectralSkin().blend;              ///< eumelanin's share of the melanin; 0: pheomelanin only
-  double haemoglobin = SpectralSkin().haemoglobin;  ///< volume fraction of blood in the dermis
-  double oxygenation = SpectralSkin().oxygenation;  ///< fraction of the haemoglobin that carries oxygen
-  /// strength of the surface reflection, 0 (none) to 1 (a clean boundary of index eta)
-  double oiliness = 0.3;
-  double epidermis_mm = SpectralSkin().epidermis_mm;  ///< thickness
-  double eta = 1.4;                                   ///< index of both layers, 1 to 2; matched between them
-};
-
-/// Returns the public structure of a skin. And the skin of a public structure, with the rest as in `rest`.
-SpectralSkin spectral_skin(const Skin& skin);
-Skin skin_of(const SpectralSkin& skin, const Skin& rest = {});
-
-/// Throws InputError (place `where`) for values out of range.
-void check(const Skin& skin, const std::string& where);
+/// Of both layers of [DJ06], matched between them.
+inline constexpr double skin_eta = 1.4;
+/// Strength of the surface reflection, 0 (none) to 1 (a clean boundary of that index) [DJ06] sec. 4. It
+/// changes colours, and no profile.
+inline constexpr double skin_oiliness = 0.3;
 
 /// Return the absorption of pure chromophores [1/mm], wavelength 380 to 780 nm (assertion). [DJ06] sec. 3.
 /// The coefficients are per mm: read so, scattering at 500 nm is 72.8 / cm, which agrees with measurements.
@@ -46,10 +32,10 @@ double deoxyhaemoglobin_per_mm(double nm);
 double skin_scattering_per_mm(double nm);
 
 /// Returns epidermis and dermis (a half-space) at one wavelength. [DJ06] eq. 1 to 6.
-Layers skin_layers(const Skin& skin, double nm);
+Layers skin_layers(const SpectralSkin& skin, double nm);
 
-/// Returns the fraction of diffuse light from outside that enters: 1 - oiliness * 2 C1(1/eta). [DJ06] sec. 4
-/// scales its surface term by oiliness.
-double entering_part(const Skin& skin);
+/// Returns the fraction of diffuse light from outside that enters: 1 - skin_oiliness * 2 C1(1/eta). [DJ06]
+/// sec. 4 scales its surface term by oiliness.
+double entering_part();
 
 }  // namespace dermis::optics

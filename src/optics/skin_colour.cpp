@@ -13,13 +13,14 @@
 #include "optics/key_values.h"
 #include "optics/radiative.h"
 #include "optics/skin_table.h"
+#include "settings/check.h"
 
 namespace dermis::optics {
 namespace {
 
 /// Integrates every `stride`-th sample of the tables. Stride 1 serves to state a colour; stride 2 with 8
 /// directions serves to compare skins (0.2 dE).
-Rgb integrate(const Skin& skin, std::size_t stride) {
+Rgb integrate(const SpectralSkin& skin, std::size_t stride) {
   const auto nm = wavelengths_nm();
   const auto weights = rec709_weights();
   std::vector<double> totals(nm.size());
@@ -42,9 +43,9 @@ Rgb integrate(const Skin& skin, std::size_t stride) {
   return sum;
 }
 
-Lab lab_of(const Skin& skin, std::size_t stride) {
+Lab lab_of(const SpectralSkin& skin, std::size_t stride) {
   Rgb linear = integrate(skin, stride);
-  const double enters = entering_part(skin);
+  const double enters = entering_part();
   for (double& value : linear) value *= enters;
   return lab_from_linear(linear);
 }
@@ -58,7 +59,7 @@ struct Candidate {
 constexpr std::array<double, 2> log_low{-12.2, -12.2};  // 5e-6, practically none
 const std::array<double, 2> log_high{std::log(most_melanin), std::log(most_blood)};
 
-Candidate evaluate(Skin skin, std::array<double, 2> log_fraction, std::size_t stride) {
+Candidate evaluate(SpectralSkin skin, std::array<double, 2> log_fraction, std::size_t stride) {
   for (int i = 0; i < 2; ++i) log_fraction[i] = std::clamp(log_fraction[i], log_low[i], log_high[i]);
   skin.melanin = std::exp(log_fraction[0]);
   skin.haemoglobin = std::exp(log_fraction[1]);
@@ -69,13 +70,12 @@ constexpr std::size_t grid_columns = 10, grid_rows = 7;
 
 /// Returns 70 skins over the range to start from. Keeps the grid of the last fixed parameters, because
 /// colours often come in series.
-std::vector<Candidate> coarse_grid(const Skin& fixed) {
+std::vector<Candidate> coarse_grid(const SpectralSkin& fixed) {
   static std::mutex mutex;
   static std::vector<Candidate> grid;
-  static std::array<double, 5> made_for{};
+  static std::array<double, 3> made_for{};
 
-  const std::array<double, 5> key{fixed.blend, fixed.oxygenation, fixed.oiliness, fixed.epidermis_mm,
-                                  fixed.eta};
+  const std::array<double, 3> key{fixed.blend, fixed.oxygenation, fixed.epidermis_mm};
   const std::lock_guard lock(mutex);
   if (!grid.empty() && made_for == key) return grid;
 
@@ -97,7 +97,7 @@ std::vector<Candidate> coarse_grid(const Skin& fixed) {
 }
 
 /// Returns one damped Gauss-Newton step of the distance in L*a*b*, with slopes by finite differences.
-std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Candidate& here,
+std::array<double, 2> newton_step(const Lab& wanted, const SpectralSkin& fixed, const Candidate& here,
                                   double damping) {
   constexpr double h = 0.02;
   std::array<std::array<double, 3>, 2> slope{};
@@ -120,7 +120,7 @@ std::array<double, 2> newton_step(const Lab& wanted, const Skin& fixed, const Ca
 }
 
 /// Takes damped steps until the distance hardly falls.
-Candidate descend(const Lab& wanted, const Skin& fixed, Candidate here) {
+Candidate descend(const Lab& wanted, const SpectralSkin& fixed, Candidate here) {
   double damping = 1e-3;
   for (int step = 0; step < 30 && damping < 1e3; ++step) {
     const auto change = newton_step(wanted, fixed, here, damping);
@@ -159,19 +159,19 @@ std::vector<Candidate> starts(std::vector<Candidate> grid, const Lab& wanted) {
 
 }  // namespace
 
-Rgb skin_reflectance(const Skin& skin) { return integrate(skin, 1); }
+Rgb skin_reflectance(const SpectralSkin& skin) { return integrate(skin, 1); }
 
-Rgb skin_colour(const Skin& skin) {
+Rgb skin_colour(const SpectralSkin& skin) {
   Rgb linear = skin_reflectance(skin);
-  const double enters = entering_part(skin);
+  const double enters = entering_part();
   for (double& value : linear) value *= enters;
   return linear;
 }
 
-Skin measured_skin() { return {.blend = 0.1, .epidermis_mm = 0.12}; }
+SpectralSkin measured_skin() { return {.blend = 0.1, .epidermis_mm = 0.12}; }
 
-SkinMatch nearest_skin(const Lab& wanted, const Skin& fixed) {
-  check(fixed, "skin");
+SkinMatch nearest_skin(const Lab& wanted, const SpectralSkin& fixed) {
+  check_ranges(fixed, "skin");
   std::vector<Candidate> ends = starts(coarse_grid(fixed), wanted);
   parallel_for(ends.size(), [&](std::size_t i) {
     ends[i] = descend(wanted, fixed, evaluate(fixed, ends[i].log_fraction, 2));

@@ -7,6 +7,7 @@
 #include "core/assert.h"
 #include "core/parallel.h"
 #include "optics/radiative.h"
+#include "settings/check.h"
 
 namespace dermis::optics {
 namespace {
@@ -35,10 +36,10 @@ Between between(double place, std::size_t nodes) {
 
 }  // namespace
 
-SkinTable::SkinTable(const Skin& fixed, const std::vector<double>& oxygenations)
+SkinTable::SkinTable(const SpectralSkin& fixed, const std::vector<double>& oxygenations)
     : fixed_(fixed), oxygenations_(oxygenations) {
   DERMIS_ASSERT_LE(1u, oxygenations.size());
-  check(fixed, "skin");
+  check_ranges(fixed, "skin");
   const auto nm = wavelengths_nm();
   const auto weights = rec709_weights();
   const std::size_t nodes = melanins * bloods * oxygenations.size();
@@ -48,7 +49,7 @@ SkinTable::SkinTable(const Skin& fixed, const std::vector<double>& oxygenations)
   std::vector<std::vector<double>> spectra(samples);
   parallel_for(samples, [&](std::size_t k) {
     std::vector<Layer> above, below;
-    Skin skin = fixed;
+    SpectralSkin skin = fixed;
     for (std::size_t m = 0; m < melanins; ++m) {
       skin.melanin = fraction_of(static_cast<double>(m), melanins, least_melanin, most_melanin);
       above.push_back(skin_layers(skin, nm[k * stride])[0]);

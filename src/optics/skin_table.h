@@ -29,11 +29,11 @@ class SkinTable {
   /// Computes the table: totals with 8 directions at 41 wavelengths, 40 melanins x 24 haemoglobins, evenly in
   /// their logarithms. `oxygenations`: 1 to 8, rising, 0 to 1, evenly apart. About 0.2 s per oxygenation on
   /// one core. Equal input gives equal bits. Throws InputError if `fixed` is out of range.
-  explicit SkinTable(const Skin& fixed, const std::vector<double>& oxygenations);
+  explicit SkinTable(const SpectralSkin& fixed, const std::vector<double>& oxygenations);
   /// Of the oxygenation of `fixed`.
-  explicit SkinTable(const Skin& fixed) : SkinTable(fixed, {fixed.oxygenation}) {}
+  explicit SkinTable(const SpectralSkin& fixed) : SkinTable(fixed, {fixed.oxygenation}) {}
 
-  const Skin& fixed() const { return fixed_; }
+  const SpectralSkin& fixed() const { return fixed_; }
 
   /// Interpolates the logarithm of the reflectance, linear in the logarithms of the fractions. Values out of
   /// the table's ranges are clamped.
@@ -63,7 +63,7 @@ class SkinTable {
     return (oxygenation * bloods + blood) * melanins + melanin;
   }
 
-  Skin fixed_;
+  SpectralSkin fixed_;
   std::vector<double> oxygenations_;
   std::vector<std::array<float, 3>> log_reflectance_;  ///< by node()
   std::vector<Lab> labs_;                              ///< likewise

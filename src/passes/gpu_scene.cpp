@@ -44,10 +44,10 @@ io::MapIo map_io(const scene::MapRef& map) {
           .present = map.present() ? 1u : 0u};
 }
 
-gpu::Address address(scene::Wrap wrap) {
-  return wrap == scene::Wrap::repeat  ? gpu::Address::repeat
-         : wrap == scene::Wrap::clamp ? gpu::Address::clamp
-                                      : gpu::Address::mirror;
+gpu::Address address(AssetWrap wrap) {
+  return wrap == AssetWrap::repeat  ? gpu::Address::repeat
+         : wrap == AssetWrap::clamp ? gpu::Address::clamp
+                                    : gpu::Address::mirror;
 }
 
 std::array<scene::MapRef, MAP_COUNT> maps_of(const scene::Material& m) {
@@ -90,8 +90,8 @@ io::MaterialIo material_io(const scene::Material& m, const std::array<scene::Map
   c.specular_colour = m.specular_colour;
 
   c.flags = (m.double_sided ? MATERIAL_DOUBLE_SIDED : 0u) | (m.unlit ? MATERIAL_UNLIT : 0u) |
-            (m.alpha_mode == scene::AlphaMode::mask ? MATERIAL_ALPHA_MASK : 0u) |
-            (m.alpha_mode == scene::AlphaMode::blend ? MATERIAL_ALPHA_BLEND : 0u);
+            (m.alpha_mode == AssetAlpha::mask ? MATERIAL_ALPHA_MASK : 0u) |
+            (m.alpha_mode == AssetAlpha::blend ? MATERIAL_ALPHA_BLEND : 0u);
 
   c.mix_before = m.skin_settings.mix_or_default();
   c.rho_s = 0.18f;  // [DLE07] GPU Gems 3, ch. 14.3
@@ -266,7 +266,7 @@ GpuScene::GpuScene(gpu::PipelineLibrary& library, const scene::Scene& scene,
     material.skin = m.skin;
     material.double_sided = m.double_sided;
     material.alpha_mode = m.alpha_mode;
-    material.cut_out = m.skin && m.alpha_mode == scene::AlphaMode::mask;
+    material.cut_out = m.skin && m.alpha_mode == AssetAlpha::mask;
     material.emits = m.skin && m.emissive != glm::vec3(0);
     material.detailed = m.skin && m.skin_settings.detail.present();
     material.alpha_max = {material.cut_out && m.base_colour_map.present()

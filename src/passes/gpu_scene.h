@@ -38,7 +38,7 @@ struct MaterialMaps {
   bool emits = false;             ///< skin that emits light
   bool detailed = false;          ///< skin with a tile of detail
   gpu::SampledBinding alpha_max;  ///< for skin with an alpha test, see passes/alpha_max.h; else a white texel
-  scene::AlphaMode alpha_mode = scene::AlphaMode::opaque;
+  AssetAlpha alpha_mode = AssetAlpha::opaque;
 };
 
 struct GpuMaterial : MaterialMaps {

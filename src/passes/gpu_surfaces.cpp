@@ -44,7 +44,7 @@ class SurfaceBuilder {
   SurfaceBuilder(gpu::Device& device, const scene::Scene& scene) : device_(&device), scene_(&scene) {}
 
   bool is_blended(const scene::Primitive& p) const {
-    return scene_->materials[static_cast<std::size_t>(p.material)].alpha_mode == scene::AlphaMode::blend;
+    return scene_->materials[static_cast<std::size_t>(p.material)].alpha_mode == AssetAlpha::blend;
   }
 
   void add(const scene::Primitive& p) {

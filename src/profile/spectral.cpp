@@ -42,7 +42,7 @@ std::vector<optics::Rgb> sample_weights() {
 
 /// Returns a model for skin and the reason: diffusion needs a high albedo and thick layers at every
 /// wavelength.
-std::pair<Model, std::string> choose(const optics::Skin& skin) {
+std::pair<Model, std::string> choose(const SpectralSkin& skin) {
   double albedo = 2, albedo_nm = 0, thickness = HUGE_VAL, thickness_nm = 0;
   for (std::size_t i = 0; i < samples; ++i)
     for (const optics::Layer& layer : optics::skin_layers(skin, sample_nm(i))) {
@@ -121,9 +121,9 @@ double WeightedProfile::quantile(double p) const {
   return std::exp(high);
 }
 
-ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options,
+ModelledProfiles make_profiles(const SpectralSkin& skin, Model model, const MonteCarloOptions& options,
                                const std::string& where) {
-  optics::check(skin, where);
+  check_ranges(skin, where);
   // The caller's number, before it is shared among the wavelengths.
   check_member(&ProfileOptions::photons, static_cast<double>(options.photons));
   if (model == Model::dipole || model == Model::better || model == Model::beam)

@@ -60,7 +60,7 @@ class WeightedProfile final : public RadialProfile {
 /// reduced albedo below diffusion_albedo or the epidermis is thinner than diffusion_thickness. That holds for
 /// all skin but the palest and thickest. Monte-Carlo shares photons among wavelengths: options.photons / 16
 /// each.
-ModelledProfiles make_profiles(const optics::Skin& skin, Model model, const MonteCarloOptions& options,
+ModelledProfiles make_profiles(const SpectralSkin& skin, Model model, const MonteCarloOptions& options,
                                const std::string& where);
 
 }  // namespace dermis::profile

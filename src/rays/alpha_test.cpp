@@ -31,7 +31,7 @@ double alpha_of(const image::Image8& pixels, const scene::MapRef& map, const glm
 
 bool is_cut_away(const scene::Scene& scene, const SurfacePoint& s) {
   const scene::Material& material = scene.materials[s.material];
-  if (material.alpha_mode != scene::AlphaMode::mask) return false;
+  if (material.alpha_mode != AssetAlpha::mask) return false;
   double alpha = double{material.base_colour.a} * s.colour.a;
   const scene::MapRef& map = material.base_colour_map;
   if (map.present())

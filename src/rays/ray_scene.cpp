@@ -118,10 +118,10 @@ struct RayScene::Scenes {
   }
 
   // As in the shadow maps: blended parts cast no shadow.
-  void attach(RTCGeometry g, scene::AlphaMode alpha, std::uint32_t number) const {
+  void attach(RTCGeometry g, AssetAlpha alpha, std::uint32_t number) const {
     rtcAttachGeometryByID(all, g, number);
-    if (alpha == scene::AlphaMode::opaque) rtcAttachGeometryByID(solid, g, number);
-    if (alpha == scene::AlphaMode::mask) rtcAttachGeometryByID(cut_out, g, number);
+    if (alpha == AssetAlpha::opaque) rtcAttachGeometryByID(solid, g, number);
+    if (alpha == AssetAlpha::mask) rtcAttachGeometryByID(cut_out, g, number);
   }
 
   // Sorts the triangles of a scene into a tree. Embree asks from its own threads whether to go on.
@@ -136,7 +136,7 @@ struct RayScene::Scenes {
   }
 
   // Attaches one tree over the triangles of the mesh, and a matrix per placement.
-  void attach_placed(RTCGeometry mesh, const scene::Primitive& primitive, scene::AlphaMode alpha,
+  void attach_placed(RTCGeometry mesh, const scene::Primitive& primitive, AssetAlpha alpha,
                      std::uint32_t first_number) const {
     const OwnScene triangles(new_scene());
     rtcAttachGeometry(triangles.get(), mesh);
@@ -175,11 +175,11 @@ RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::mak
   for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
     const scene::Primitive& primitive = scene.primitives[i];
     if (primitive.indices.empty()) continue;
-    const scene::AlphaMode alpha = scene.materials[static_cast<std::size_t>(primitive.material)].alpha_mode;
+    const AssetAlpha alpha = scene.materials[static_cast<std::size_t>(primitive.material)].alpha_mode;
     const auto number = static_cast<std::uint32_t>(scenes_->copies.size());
     for (std::uint32_t copy = 0; copy < scene::copies_of(primitive); ++copy)
       scenes_->copies.push_back({i, copy});
-    has_cut_outs_ = has_cut_outs_ || alpha == scene::AlphaMode::mask;
+    has_cut_outs_ = has_cut_outs_ || alpha == AssetAlpha::mask;
 
     const Geometry g = scenes_->geometry(primitive);
     rtcCommitGeometry(g.get());

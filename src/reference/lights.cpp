@@ -10,7 +10,7 @@ namespace dermis::reference {
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m) {
   Arriving a;
   const glm::dvec3 colour(light.colour), direction(light.direction);
-  if (light.type == scene::LightType::directional) {
+  if (light.type == LightType::directional) {
     a.irradiance = colour;
     a.to_light = -direction;
     return a;
@@ -23,7 +23,7 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m)
   a.irradiance = colour / d2;
   if (light.range_m > 0) a.irradiance *= std::clamp(1 - std::pow(a.distance_m / light.range_m, 4), 0.0, 1.0);
 
-  if (light.type == scene::LightType::spot) {
+  if (light.type == LightType::spot) {
     const double outer = std::cos(light.outer_cone_rad), inner = std::cos(light.inner_cone_rad);
     const double c =
         std::clamp((glm::dot(direction, -a.to_light) - outer) / std::max(inner - outer, 1e-4), 0.0, 1.0);
@@ -35,7 +35,7 @@ Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m)
 Arriving arriving_light(const scene::Light& light, const glm::dvec3& position_m, Random& random) {
   Arriving a = arriving_light(light, position_m);
   if (!(light.radius > 0)) return a;
-  const double tangent = light.radius / (light.type == scene::LightType::directional ? 1 : a.distance_m);
+  const double tangent = light.radius / (light.type == LightType::directional ? 1 : a.distance_m);
   const double r = tangent * std::sqrt(random.next()), angle = 2 * std::numbers::pi * random.next();
   const glm::dvec3 across = glm::normalize(
       glm::cross(a.to_light, std::abs(a.to_light.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));

@@ -8,16 +8,13 @@
 #include <optional>
 #include <vector>
 
+#include "dermis/reference.h"
 #include "gaussians/sum.h"
 #include "optics/media.h"
 #include "reference/environment_sampler.h"
 #include "scene/scene.h"
 
 namespace dermis::reference {
-
-/// bssrdf: the profile, integrated over the surface. volume: light traced through the medium below it.
-/// gaussians: as bssrdf, of the terms that the techniques blur, those without width too.
-enum class Model { bssrdf, volume, gaussians };
 
 struct RenderSetup {
   scene::Camera camera;
@@ -32,7 +29,7 @@ struct RenderSetup {
 
 struct Job {
   RenderSetup setup;
-  Model model = Model::bssrdf;
+  ReferenceModel model = ReferenceModel::bssrdf;
   /// bssrdf, gaussians: one per material of the scene; empty for materials that are not skin. Of gaussians,
   /// the first term may have a variance of 0.
   std::vector<gaussians::SumOfGaussians> profiles;

@@ -111,11 +111,11 @@ Shading::Surface Shading::surface(const rays::SurfacePoint& s, double normal_sid
   glm::dvec4 base = glm::dvec4(source.base_colour) * s.colour;
   if (m.base_colour.present()) base *= m.base_colour.read(s.uv);
   if (setup_.white_albedo) base = glm::dvec4(1, 1, 1, base.a);
-  if (source.alpha_mode == scene::AlphaMode::mask && base.a < source.alpha_cutoff)
+  if (source.alpha_mode == AssetAlpha::mask && base.a < source.alpha_cutoff)
     return {.radiance = glm::dvec3(0), .alpha = 0};
 
   Surface out;
-  if (source.alpha_mode == scene::AlphaMode::blend) out.alpha = std::clamp(base.a, 0.0, 1.0);
+  if (source.alpha_mode == AssetAlpha::blend) out.alpha = std::clamp(base.a, 0.0, 1.0);
   const glm::dvec3 albedo(base);
   if (source.unlit) {
     out.radiance = albedo;

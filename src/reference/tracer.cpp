@@ -39,10 +39,10 @@ Tracer::Tracer(const scene::Scene& scene, const Job& job, Steps steps)
       shading_(next(steps, [&] { return Shading(rays_, job.setup); })),
       medium_(job.medium, scene.mm_per_unit) {
   steps.done();
-  if (job.model != Model::volume)
+  if (job.model != ReferenceModel::volume)
     for (const gaussians::SumOfGaussians& profile : job.profiles)
       diffusion_.emplace_back(profile, scene.mm_per_unit);
-  if (job.model == Model::volume) medium_total_ = diffuse_total(job.medium);
+  if (job.model == ReferenceModel::volume) medium_total_ = diffuse_total(job.medium);
   steps.done();
 }
 
@@ -65,7 +65,7 @@ glm::dvec3 Tracer::from_the_medium(const rays::SurfacePoint& s, const glm::dvec3
 glm::dvec3 Tracer::skin_radiance(rays::SurfacePoint& s, double side, const glm::dvec3& to_eye, Random& random,
                                  std::vector<rays::Hit>& scratch) const {
   glm::dvec3 scattered(0);
-  if (job_.model != Model::volume)
+  if (job_.model != ReferenceModel::volume)
     scattered = diffusion_[s.material].sample(rays_, s, random, scratch, [&](const rays::SurfacePoint& x) {
       return shading_.light_in_skin(x, random);
     });

@@ -131,7 +131,7 @@ class Finder {
       seen.point = rays::surface_point(rays_.scene(), *hit);
       const bool front = material.double_sided || glm::dot(seen.point.face_normal, ray.direction) < 0;
       // Lashes and brows that lie over the skin do not hide it from a mask.
-      if (front && material.alpha_mode != scene::AlphaMode::blend &&
+      if (front && material.alpha_mode != AssetAlpha::blend &&
           !rays::is_cut_away(rays_.scene(), seen.point)) {
         seen.skin = rays::is_skin(rays_.scene(), primitive);
         if (!seen.skin) break;

@@ -32,11 +32,11 @@ Field make_field(int width, int height) {
           std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.f)};
 }
 
-int wrapped(int i, int n, Wrap wrap) {
+int wrapped(int i, int n, AssetWrap wrap) {
   // Nearly all are inside, and a remainder costs as much as all other work on the texel.
   if (i >= 0 && i < n) return i;
-  if (wrap == Wrap::clamp) return std::clamp(i, 0, n - 1);
-  const int period = wrap == Wrap::mirror ? 2 * n : n;
+  if (wrap == AssetWrap::clamp) return std::clamp(i, 0, n - 1);
+  const int period = wrap == AssetWrap::mirror ? 2 * n : n;
   const int r = ((i % period) + period) % period;
   return r < n ? r : period - 1 - r;
 }
@@ -126,7 +126,7 @@ struct BilinearTap {
   double weight[2];
 };
 
-std::vector<BilinearTap> bilinear_taps(int source, int target, Wrap wrap) {
+std::vector<BilinearTap> bilinear_taps(int source, int target, AssetWrap wrap) {
   std::vector<BilinearTap> taps;
   taps.reserve(static_cast<std::size_t>(target));
   for (int i = 0; i < target; ++i) {
@@ -217,8 +217,8 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
                 right = wrapped(x + 1, target.width, settings.wrap_u);
       // At a clamped border the neighbours are one texel apart, not two; at a mirrored one the slope is 0 by
       // symmetry.
-      const double span_x = settings.wrap_u == Wrap::clamp && (x == 0 || x == target.width - 1) ? 1 : 2;
-      const double span_y = settings.wrap_v == Wrap::clamp && (y == 0 || y == target.height - 1) ? 1 : 2;
+      const double span_x = settings.wrap_u == AssetWrap::clamp && (x == 0 || x == target.width - 1) ? 1 : 2;
+      const double span_y = settings.wrap_v == AssetWrap::clamp && (y == 0 || y == target.height - 1) ? 1 : 2;
       glm::dvec2 slope((h.at(left, y) - h.at(right, y)) / (span_x * spacing_mm.x),
                        (h.at(x, down) - h.at(x, up)) / (span_y * spacing_mm.y));
       if (base != nullptr)

@@ -16,7 +16,7 @@ struct DisplacementSettings {
   int channel = 0;  ///< in the height map, 0 .. 3
   /// mm per unit of the maps' coordinates, along the tangent and across (mean_mm_per_uv); > 0
   glm::dvec2 mm_per_uv{300, 300};
-  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  AssetWrap wrap_u = AssetWrap::repeat, wrap_v = AssetWrap::repeat;
   /// normal scale of the base map; the result includes it, so use the result with scale 1
   double base_scale = 1;
   /// True: where the base map is coarser, takes from the heights only detail finer than its texels. Both maps

@@ -87,7 +87,7 @@ std::string quoted_names(const std::vector<MaterialSource>& materials) {
 void make_blended_skin_surface(const std::string& file, std::vector<MaterialSource>& materials) {
   std::vector<MaterialSource> blended;
   for (MaterialSource& m : materials) {
-    if (!m.material.skin || m.material.alpha_mode != AlphaMode::blend) continue;
+    if (!m.material.skin || m.material.alpha_mode != AssetAlpha::blend) continue;
     m.material.skin = false;
     blended.push_back(m);
   }
@@ -104,8 +104,8 @@ void make_transmissive_blended(const std::string& file, std::vector<MaterialSour
   std::vector<MaterialSource> kept_opaque;
   for (MaterialSource& m : materials) {
     if (m.material.transmission == 0) continue;
-    if (!m.material.skin && m.material.alpha_mode != AlphaMode::mask) {
-      m.material.alpha_mode = AlphaMode::blend;
+    if (!m.material.skin && m.material.alpha_mode != AssetAlpha::mask) {
+      m.material.alpha_mode = AssetAlpha::blend;
       continue;
     }
     m.material.transmission = 0;

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "dermis/asset_arrays.h"
+#include "dermis/light.h"
 #include "gaussians/sum.h"
 #include "image/image.h"
 
@@ -29,23 +31,19 @@ struct Vertex {
   glm::vec4 colour{1};  ///< COLOR_0, linear; 1 if absent
 };
 
-enum class Wrap : std::uint8_t { repeat, clamp, mirror };
-
 /// A map of a material: image, texture coordinates and their transform, uv' = transform * (u, v, 1).
 struct MapRef {
   int image = -1;  ///< index into Scene::images, -1 = none
   int uv_set = 0;  ///< 0 or 1
   /// columns: image of u, image of v, offset (KHR_texture_transform)
   glm::mat3x2 transform{1, 0, 0, 1, 0, 0};
-  Wrap wrap_u = Wrap::repeat;
-  Wrap wrap_v = Wrap::repeat;
+  AssetWrap wrap_u = AssetWrap::repeat;
+  AssetWrap wrap_v = AssetWrap::repeat;
   bool nearest = false;  ///< magnification filter
   int channel = 0;       ///< for single-channel maps: index in RGBA
   float scale = 1;       ///< normal scale, occlusion strength, or factor on the map's value
   bool present() const { return image >= 0; }
 };
-
-enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 struct SpecularLobe {
   float roughness_factor = 1;  ///< multiplies m
@@ -70,7 +68,7 @@ struct SkinMaterial {
 
 struct Material {
   std::string name;
-  bool skin = false;         ///< never with AlphaMode::blend: the loader makes such skin a surface
+  bool skin = false;         ///< never with AssetAlpha::blend: the loader makes such skin a surface
   glm::vec4 base_colour{1};  ///< linear
   MapRef base_colour_map;    ///< sRGB
   float metallic = 1, roughness = 1;
@@ -84,7 +82,7 @@ struct Material {
   MapRef specular_map;            ///< A
   glm::vec3 specular_colour{1};
   MapRef specular_colour_map;  ///< sRGB
-  AlphaMode alpha_mode = AlphaMode::opaque;
+  AssetAlpha alpha_mode = AssetAlpha::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
   bool unlit = false;
@@ -132,8 +130,6 @@ struct MapImage {
   std::string name;
   std::shared_ptr<const image::Image8> pixels;  ///< never null
 };
-
-enum class LightType : std::uint8_t { directional, spot, point };
 
 /// KHR_lights_punctual semantics in relative radiometric units: irradiance pi on white Lambert shows as 1.
 /// `colour` includes intensity: irradiance facing the light = colour (directional), colour / d^2 with d in

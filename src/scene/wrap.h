@@ -10,9 +10,9 @@
 namespace dermis::scene {
 
 /// Returns the pixel 0 .. size - 1 that stands for pixel `i`.
-inline int wrapped(int i, int size, Wrap wrap) {
-  if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
-  const int period = wrap == Wrap::mirror ? 2 * size : size;
+inline int wrapped(int i, int size, AssetWrap wrap) {
+  if (wrap == AssetWrap::clamp) return std::clamp(i, 0, size - 1);
+  const int period = wrap == AssetWrap::mirror ? 2 * size : size;
   i %= period;
   if (i < 0) i += period;
   return i < size ? i : period - 1 - i;

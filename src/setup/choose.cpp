@@ -73,7 +73,7 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
     for (scene::Light& light : lights) {
       // A directional light as if it stood where the rig does.
       const double distance =
-          light.type == scene::LightType::directional ? scene::rig_distance_radii * spheres.lit.radius_m : 1;
+          light.type == LightType::directional ? scene::rig_distance_radii * spheres.lit.radius_m : 1;
       light.radius = static_cast<float>(*s.lighting.light_radius_m / distance);
     }
   return lights;

@@ -135,7 +135,7 @@ std::vector<scene::Light> environment_lights(const std::vector<environment::Sour
     const glm::dvec3& d = source.direction;
     scene::Light light;
     light.name = fmt::format("sun {}", lights.size() + 1);
-    light.type = scene::LightType::directional;
+    light.type = LightType::directional;
     light.colour = glm::vec3(source.irradiance * settings.lighting.environment_intensity);
     light.direction = -glm::vec3(d.x * c + d.z * s, d.y, -d.x * s + d.z * c);
     light.radius = static_cast<float>(source.tangent);

@@ -28,11 +28,11 @@ namespace dermis::setup {
 namespace {
 
 // Returns the number that shaders know a type by. No default: a new type without one is a warning here.
-std::uint32_t type_number(scene::LightType type) {
+std::uint32_t type_number(LightType type) {
   switch (type) {
-    case scene::LightType::directional: return LIGHT_DIRECTIONAL;
-    case scene::LightType::spot: return LIGHT_SPOT;
-    case scene::LightType::point: return LIGHT_POINT;
+    case LightType::directional: return LIGHT_DIRECTIONAL;
+    case LightType::spot: return LIGHT_SPOT;
+    case LightType::point: return LIGHT_POINT;
   }
   assertion_failed("a light has a LightType", fmt::format("{}", static_cast<int>(type)), __FILE__, __LINE__);
 }
@@ -158,7 +158,7 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
   const scene::Scene& asset = *instance.asset;
   return std::all_of(asset.primitives.begin(), asset.primitives.end(), [&](const scene::Primitive& p) {
     const scene::Material& material = asset.materials[static_cast<std::size_t>(p.material)];
-    if (material.alpha_mode == scene::AlphaMode::blend) return true;
+    if (material.alpha_mode == AssetAlpha::blend) return true;
     const float mix = instance.mix.value_or(material.skin_settings.mix_or_default());
     return material.skin && s.skin.mix.value_or(double{mix}) == 0;
   });

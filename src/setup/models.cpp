@@ -107,7 +107,7 @@ techniques::SkinPart skin_part(const ModelKey& model, std::size_t number, const 
   part.kinds.reset();
   for (const int index : mesh.triangle_material) {
     const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
-    const passes::SkinKind kind{.cut_out = of_triangle.alpha_mode == scene::AlphaMode::mask,
+    const passes::SkinKind kind{.cut_out = of_triangle.alpha_mode == AssetAlpha::mask,
                                 .emits = of_triangle.emissive != glm::vec3(0),
                                 .detailed = of_triangle.skin_settings.detail.present()};
     part.cut_out = part.cut_out || kind.cut_out;
@@ -121,7 +121,7 @@ void fill_surfaces(techniques::Model& model, const scene::Scene& scene) {
   for (const scene::Primitive& p : scene.primitives) {
     const scene::Material& material = scene.materials[static_cast<std::size_t>(p.material)];
     if (material.skin) continue;
-    (material.alpha_mode == scene::AlphaMode::blend ? model.has_blended : model.has_surfaces) = true;
+    (material.alpha_mode == AssetAlpha::blend ? model.has_blended : model.has_surfaces) = true;
   }
 }
 

@@ -30,22 +30,6 @@ double distance_m(const Light& light, const HeadSphere& sphere) {
   return std::max(glm::length(vector_of(light.position_m) - vector_of(sphere.centre_m)), 1e-4);
 }
 
-Light light_of(const scene::Light& from) {
-  Light light;
-  light.name = from.name;
-  light.type = from.type == scene::LightType::directional ? LightType::directional
-               : from.type == scene::LightType::spot      ? LightType::spot
-                                                          : LightType::point;
-  light.colour = array_of(glm::dvec3(from.colour));
-  light.position_m = array_of(glm::dvec3(from.position_m));
-  light.direction = array_of(glm::dvec3(from.direction));
-  light.range_m = from.range_m;
-  light.inner_cone_deg = from.inner_cone_rad * degrees_per_radian;
-  light.outer_cone_deg = std::min(from.outer_cone_rad * degrees_per_radian, 90.0);
-  light.radius = from.radius;
-  return light;
-}
-
 }  // namespace
 
 PlacedLight place_of(const Light& light, const HeadSphere& sphere) {
@@ -108,7 +92,7 @@ void own_lights(Document& document) {
   const std::vector<scene::Light> lights =
       setup::choose_lights(placed, settings, setup::head_spheres(placed, settings));
   for (const LightId id : document.scene.lights()) document.scene.remove_light(id);
-  for (const scene::Light& light : lights) document.scene.add_light({.light = light_of(light)});
+  for (const scene::Light& light : lights) document.scene.add_light({.light = api::light_of(light)});
 
   document.settings.lighting.placed_lights.clear();
   document.settings.lighting.rig_lights.reset();
@@ -124,7 +108,7 @@ LightId add_lamp(Document& document, const PlacedLight& at) {
   const std::string name = fmt::format("lamp {}", document.scene.lights().size() + 1);
   const std::vector<scene::Lamp> lamp{{name, at.azimuth_deg, at.elevation_deg, glm::dvec3(at.irradiance)}};
   return document.scene.add_light(
-      {.light = light_of(scene::light_rig(spheres.lit, lamp, spheres.offsets_m).front())});
+      {.light = api::light_of(scene::light_rig(spheres.lit, lamp, spheres.offsets_m).front())});
 }
 
 }  // namespace dermis::viewer

@@ -91,15 +91,6 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
          scene.name, open);
 }
 
-reference::Model model_of(ReferenceModel model) {
-  switch (model) {
-    case ReferenceModel::bssrdf: break;
-    case ReferenceModel::volume: return reference::Model::volume;
-    case ReferenceModel::gaussians: return reference::Model::gaussians;
-  }
-  return reference::Model::bssrdf;
-}
-
 // Steps of the work before the first sample.
 constexpr std::size_t tracer_steps = 4, set_up_steps = 4 + tracer_steps;
 
@@ -111,7 +102,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
   steps.done();
 
   reference::Job job;
-  job.model = model_of(r.model);
+  job.model = r.model;
   job.setup = api::reference_setup(placed, s);
   if (const auto source = setup::choose_environment(s, of_scene)) {
     environment::Environment environment = setup::read_environment(*source);
@@ -123,8 +114,8 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
     steps.done(2);
   }
 
-  const auto least = job.model == reference::Model::gaussians ? gaussians::LeastVariance::zero
-                                                              : gaussians::LeastVariance::above_zero;
+  const auto least = job.model == ReferenceModel::gaussians ? gaussians::LeastVariance::zero
+                                                            : gaussians::LeastVariance::above_zero;
   job.profiles.resize(scene.materials.size());
   const std::size_t first_material =
       skin.empty() ? 0 : static_cast<std::size_t>(skin.front().triangle_material.front());
@@ -137,7 +128,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
       if (of.terms.empty()) of = profile;
     }
 
-    if (job.model != reference::Model::volume) continue;
+    if (job.model != ReferenceModel::volume) continue;
     const optics::RgbMedium medium = choose_medium(r.medium, profile, first.ior);
     if (&mesh == &skin.front())
       job.medium = medium;
@@ -147,7 +138,7 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
                         "skin.profile or medium names one for all");
   }
 
-  if (job.model == reference::Model::volume) {
+  if (job.model == ReferenceModel::volume) {
     if (skin.empty())
       throw input_error(scene.name,
                         "has no skin for light to walk in; skin_material says which material is skin");

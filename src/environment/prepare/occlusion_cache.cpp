@@ -74,7 +74,7 @@ Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const Occlu
     hash.add(static_cast<int>(material.alpha_mode));
     hash.add(material.skin);
     for (const scene::Vertex& v : p.vertices) hash.add(v.position_m);
-    if (material.alpha_mode == scene::AlphaMode::mask) add_alpha(hash, scene, p, material);
+    if (material.alpha_mode == AssetAlpha::mask) add_alpha(hash, scene, p, material);
     hash.add(std::span<const std::uint32_t>(p.indices));
     for (const scene::Placement& placement : p.placements) hash.add(placement.world_from_mesh);
   }

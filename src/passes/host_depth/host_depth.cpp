@@ -44,8 +44,7 @@ void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
     passes::draw_skin(
         cmd, of_skin, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) {
-          return material.alpha_mode == scene::AlphaMode::blend ? nullptr
-                                                                : &pipeline_of(material, target.cull);
+          return material.alpha_mode == AssetAlpha::blend ? nullptr : &pipeline_of(material, target.cull);
         },
         [&](const GpuDraw&, const GpuMaterial&) {
           return io::HostDepthIo{.clip_from_world = target.clip_from_world, .instance = instance.transform};

@@ -46,7 +46,7 @@ class HostDepth {
 
  private:
   const gpu::Pipeline& pipeline_of(const GpuMaterial& material, bool cull) const {
-    return *pipelines_[material.alpha_mode == scene::AlphaMode::mask][cull && !material.double_sided];
+    return *pipelines_[material.alpha_mode == AssetAlpha::mask][cull && !material.double_sided];
   }
   void draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance, const HostDepthTarget& target) const;
   void draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance, const HostDepthTarget& target) const;

@@ -102,7 +102,7 @@ void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fram
 }
 
 const gpu::Pipeline* Labels::pipeline_of(const GpuMaterial& material, bool skin) const {
-  return pipelines_[skin][material.double_sided][material.alpha_mode == scene::AlphaMode::mask];
+  return pipelines_[skin][material.double_sided][material.alpha_mode == AssetAlpha::mask];
 }
 
 void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const {

@@ -246,7 +246,7 @@ ShadowFit cube(const glm::vec3& position_m, const scene::BoundingSphere& sphere,
 
 ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size) {
   const float size = static_cast<float>(map_size), margin = margin_of(size);
-  if (light.type == scene::LightType::directional) {
+  if (light.type == LightType::directional) {
     const Window w = directional_window(light.direction, bounds, size);
     const float half_m = w.half * margin;
     return {{off_axis(w.middle / half_m) * orthographic(half_m, w.near_m, w.far_m) * w.view_from_world},

@@ -53,7 +53,7 @@ void Shadow::prepare(gpu::PipelineLibrary& library) {
 // Returns whether a material casts a shadow in this round. Blended parts (lashes, brows) cast none, which
 // would be that of their whole card.
 bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
-  return material.alpha_mode == (cut_out ? scene::AlphaMode::mask : scene::AlphaMode::opaque);
+  return material.alpha_mode == (cut_out ? AssetAlpha::mask : AssetAlpha::opaque);
 }
 
 void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,

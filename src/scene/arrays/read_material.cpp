@@ -8,22 +8,6 @@ namespace dermis::scene::arrays {
 
 namespace {
 
-Wrap wrap_of(AssetWrap wrap) {
-  switch (wrap) {
-    case AssetWrap::clamp: return Wrap::clamp;
-    case AssetWrap::mirror: return Wrap::mirror;
-    default: return Wrap::repeat;
-  }
-}
-
-AlphaMode alpha_mode_of(AssetAlpha alpha) {
-  switch (alpha) {
-    case AssetAlpha::mask: return AlphaMode::mask;
-    case AssetAlpha::blend: return AlphaMode::blend;
-    default: return AlphaMode::opaque;
-  }
-}
-
 glm::vec3 vec3_of(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 MapRef map_of(const AssetMap& given, float scale = 1, int channel = 0) {
@@ -35,8 +19,8 @@ MapRef map_of(const AssetMap& given, float scale = 1, int channel = 0) {
     for (glm::length_t row = 0; row < 2; ++row)
       map.transform[column][row] =
           given.transform[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)];
-  map.wrap_u = wrap_of(given.wrap_u);
-  map.wrap_v = wrap_of(given.wrap_v);
+  map.wrap_u = given.wrap_u;
+  map.wrap_v = given.wrap_v;
   map.nearest = given.nearest;
   map.channel = channel;
   map.scale = scale;
@@ -87,7 +71,7 @@ MaterialSource read_material(const AssetMaterial& given) {
   m.specular_map = map_of(given.specular_map, 1, alpha_channel);
   m.specular_colour = vec3_of(given.specular_colour);
   m.specular_colour_map = map_of(given.specular_colour_map);
-  m.alpha_mode = alpha_mode_of(given.alpha);
+  m.alpha_mode = given.alpha;
   m.alpha_cutoff = given.alpha_cutoff;
   m.double_sided = given.double_sided;
   m.unlit = given.unlit;

@@ -91,7 +91,7 @@ struct ImageSource {
 };
 struct Texture {
   int image = -1;  ///< -1: only an extension that is not read has one
-  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  AssetWrap wrap_u = AssetWrap::repeat, wrap_v = AssetWrap::repeat;
   bool nearest = false;
 };
 

@@ -11,14 +11,14 @@ namespace dermis::scene::gltf {
 
 namespace {
 
-Wrap read_wrap(const Value& sampler, const char* key) {
+AssetWrap read_wrap(const Value& sampler, const char* key) {
   switch (static_cast<int>(number_near(sampler, key, 10497))) {
-    case 10497: return Wrap::repeat;
-    case 33071: return Wrap::clamp;
-    case 33648: return Wrap::mirror;
+    case 10497: return AssetWrap::repeat;
+    case 33071: return AssetWrap::clamp;
+    case 33648: return AssetWrap::mirror;
     default: warn_at(sampler.at(key), "is no way to wrap that glTF knows; the picture is repeated");
   }
-  return Wrap::repeat;
+  return AssetWrap::repeat;
 }
 
 Texture read_sampler(const Value& value) {
@@ -137,13 +137,13 @@ void read_material_extensions(const Document& document, const Value& value, Mate
   material.unlit = extension(value, "KHR_materials_unlit").has_value();
 }
 
-AlphaMode read_alpha_mode(const Value& value) {
+AssetAlpha read_alpha_mode(const Value& value) {
   const std::string mode = text_near(value, "alphaMode", "OPAQUE");
-  if (mode == "OPAQUE") return AlphaMode::opaque;
-  if (mode == "MASK") return AlphaMode::mask;
-  if (mode == "BLEND") return AlphaMode::blend;
+  if (mode == "OPAQUE") return AssetAlpha::opaque;
+  if (mode == "MASK") return AssetAlpha::mask;
+  if (mode == "BLEND") return AssetAlpha::blend;
   warn_at(value.at("alphaMode"), "is none of OPAQUE, MASK and BLEND; it is drawn opaque");
-  return AlphaMode::opaque;
+  return AssetAlpha::opaque;
 }
 
 MaterialSource read_material(const Document& document, const Value& value) {

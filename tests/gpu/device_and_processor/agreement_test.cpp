@@ -94,22 +94,22 @@ TEST(Agreement, DirectLight) {
 /// whose range does, a point so near that its shadow takes six maps.
 struct KindOfLight {
   const char* name;
-  scene::LightType type;
+  LightType type;
   glm::vec3 position_m{0}, direction{0, 0, -1};
   float range_m = 0;
 };
 const KindOfLight kinds_of_light[] = {
-    {.name = "directional", .type = scene::LightType::directional, .direction = {-0.5f, -0.4f, -0.75f}},
+    {.name = "directional", .type = LightType::directional, .direction = {-0.5f, -0.4f, -0.75f}},
     {.name = "spot",
-     .type = scene::LightType::spot,
+     .type = LightType::spot,
      .position_m = {0.12f, 0.08f, 0.3f},
      .direction = {-0.12f, -0.08f, -0.25f}},
-    {.name = "point", .type = scene::LightType::point, .position_m = {-0.15f, 0.1f, 0.2f}},
+    {.name = "point", .type = LightType::point, .position_m = {-0.15f, 0.1f, 0.2f}},
     {.name = "point with a range",
-     .type = scene::LightType::point,
+     .type = LightType::point,
      .position_m = {0.1f, 0.08f, 0.2f},
      .range_m = 0.2f},
-    {.name = "point inside", .type = scene::LightType::point, .position_m = {-0.04f, 0.05f, 0.12f}}};
+    {.name = "point inside", .type = LightType::point, .position_m = {-0.04f, 0.05f, 0.12f}}};
 
 /// A ball, and a small one before it that shades it.
 Scene balls_under(const KindOfLight& kind) {
@@ -127,8 +127,7 @@ Scene balls_under(const KindOfLight& kind) {
   light.range_m = kind.range_m;
   light.inner_cone_rad = 0.05f, light.outer_cone_rad = 0.25f;
   // As much light in the middle as from the directional one.
-  if (kind.type != scene::LightType::directional)
-    light.colour *= glm::dot(light.position_m, light.position_m);
+  if (kind.type != LightType::directional) light.colour *= glm::dot(light.position_m, light.position_m);
 
   made.lights = {light};
   return wrap(std::move(made));

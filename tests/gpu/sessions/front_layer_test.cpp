@@ -25,7 +25,7 @@ Scene covered(const std::vector<Sheet>& sheets) {
   scene::Scene made = scene::plane(0.2);
   for (const Sheet& sheet : sheets) {
     add_sheet(made, 0.1f, sheet.z_m);
-    made.materials.back().alpha_mode = scene::AlphaMode::blend;
+    made.materials.back().alpha_mode = AssetAlpha::blend;
     made.materials.back().base_colour.a = sheet.alpha;
     made.materials.back().name = sheet.name;
   }

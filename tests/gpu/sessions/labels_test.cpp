@@ -200,7 +200,7 @@ std::optional<rays::SurfacePoint> first_seen(const rays::RayScene& rays, rays::R
     rays::SurfacePoint point = rays::surface_point(rays.scene(), *hit);
     const scene::Material& material = rays.scene().materials[point.material];
     const bool culled = !material.double_sided && glm::dot(point.face_normal, ray.direction) > 0;
-    if (!culled && material.alpha_mode != scene::AlphaMode::blend && !rays::is_cut_away(rays.scene(), point))
+    if (!culled && material.alpha_mode != AssetAlpha::blend && !rays::is_cut_away(rays.scene(), point))
       return point;
     ray.t_min_m = std::nextafter(static_cast<float>(hit->t_m), infinite);
   }
@@ -322,7 +322,7 @@ TEST(Labels, AreCutOutAsThePictureIs) {
     for (scene::Vertex& v : made.primitives[1].vertices) v.uv0 = glm::vec2(v.position_m) * 16.0f;
     scene::Material& cut = made.materials[skin ? 0 : 1];
     if (skin) made.primitives.pop_back();
-    cut.alpha_mode = scene::AlphaMode::mask;
+    cut.alpha_mode = AssetAlpha::mask;
     cut.base_colour_map.image = add_alpha_ramp(made);
     const Scene scene = wrap(made);
 
@@ -348,7 +348,7 @@ TEST(Labels, AreOfWhatLiesBehindBlendedParts) {
   const Results bare = labels_of(wrap(made), s);
   const Picture before = renderer().render(wrap(made), s);
   add_sheet(made, 0.1f, 0.01f);
-  made.materials[1].alpha_mode = scene::AlphaMode::blend;
+  made.materials[1].alpha_mode = AssetAlpha::blend;
   made.materials[1].base_colour.a = 0.9f;
   EXPECT_NE(renderer().render(wrap(made), s).display_rgba, before.display_rgba);
   expect_same_but({Output::motion, Output::front, Output::front_part}, bare, labels_of(wrap(made), s));

@@ -138,7 +138,7 @@ scene::Scene checkered_sphere() {
       pixels.rgba.insert(pixels.rgba.end(), {200, 150, 130, there});
     }
   scene::Material& skin = made.materials.front();
-  skin.alpha_mode = scene::AlphaMode::mask;
+  skin.alpha_mode = AssetAlpha::mask;
   skin.double_sided = true;
   skin.base_colour_map.image = 0;
   skin.base_colour_map.nearest = true;
@@ -177,7 +177,7 @@ scene::Scene two_skins(bool covered) {
     scene::Material glass;
     glass.name = "glass";
     glass.base_colour = {0.2f, 0.5f, 0.9f, 0.4f};
-    glass.alpha_mode = scene::AlphaMode::blend;
+    glass.alpha_mode = AssetAlpha::blend;
     add(front, {-0.04f, 0.05f, 0.1f}, glass);
 
     scene::Material stone;

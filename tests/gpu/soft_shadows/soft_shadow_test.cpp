@@ -116,7 +116,7 @@ TEST(SoftShadow, OfALightInsideTheScene) {
   for (const double radius : {0.002, 0.02, 100.0}) {
     scene::Scene made = api::only_asset(plate_over_floor(0.1));
     scene::Light lamp;
-    lamp.type = scene::LightType::point;
+    lamp.type = LightType::point;
     lamp.colour = glm::vec3(0.02f);
     lamp.position_m = {-0.04f, 0, 0.05f};
     lamp.radius = static_cast<float>(radius);

@@ -38,7 +38,7 @@ Scene glass() {
   balls.primitives[1].material = 1;
   balls.materials[0].skin = false;
   balls.materials[0].base_colour = {0.8f, 0.4f, 0.2f, 0.5f};
-  balls.materials[0].alpha_mode = scene::AlphaMode::blend;
+  balls.materials[0].alpha_mode = AssetAlpha::blend;
   return wrap(std::move(balls));
 }
 

@@ -32,7 +32,7 @@ void cut_out(scene::Scene& made, int side, const Alpha& is_there) {
       pixels.rgba.insert(pixels.rgba.end(), {255, there, there, there});
     }
   scene::Material& skin = made.materials.front();
-  skin.alpha_mode = scene::AlphaMode::mask;
+  skin.alpha_mode = AssetAlpha::mask;
   skin.base_colour_map.image = static_cast<int>(made.images.size());
   skin.base_colour_map.nearest = true;
   skin.skin_settings.mix = 1.0f;
@@ -99,7 +99,7 @@ TEST(CutOutSamples, ShowsNothingOfTheGaps) {
 
 TEST_P(CutOut, CoversThePixelsThatAreThere) {
   scene::Scene whole = half_plane();
-  whole.materials.front().alpha_mode = scene::AlphaMode::opaque;
+  whole.materials.front().alpha_mode = AssetAlpha::opaque;
   const RenderSettings s = settings_of(GetParam(), true);
   const double all = static_cast<double>(renderer().render(wrap(whole), s).statistics.skin_pixels);
   EXPECT_EQ(all, 128.0 * 128);
@@ -178,7 +178,7 @@ TEST(CutOutMaps, ShadowEndsAtTheCut) {
   RenderSettings s = settings_of("texture-space", false);
   s.output.show = "shadow:0";
   const double half = lit_share(renderer().render(wrap(made), s), 0, 256, 0);
-  made.materials.front().alpha_mode = scene::AlphaMode::opaque;
+  made.materials.front().alpha_mode = AssetAlpha::opaque;
   const double all = lit_share(renderer().render(wrap(made), s), 0, 256, 0);
   // The cut may lie off by one of the hundred and more columns that the plane takes in the shadow map.
   EXPECT_NEAR(half / all, 0.5, 0.01);
@@ -196,10 +196,8 @@ TEST(CutOutMaps, WhatIsCutAwayIsNotBlurred) {
   }
 
   for (scene::Scene* scene : {&made, &narrow})
-    scene->lights.push_back({.name = "lamp",
-                             .type = scene::LightType::point,
-                             .colour = glm::vec3(0.001f),
-                             .position_m = {0, 0, 0.02f}});
+    scene->lights.push_back(
+        {.name = "lamp", .type = LightType::point, .colour = glm::vec3(0.001f), .position_m = {0, 0, 0.02f}});
 
   RenderSettings s = settings_of("texture-space", true);
   s.lighting.ambient = 0;

@@ -22,7 +22,7 @@ scene::Scene shared_balls(int count, bool blended = false) {
   made.materials[0].skin = false;
   made.materials[0].roughness = 0.4f;
   made.materials[0].base_colour = {0.8f, 0.4f, 0.2f, blended ? 0.5f : 1.0f};
-  if (blended) made.materials[0].alpha_mode = scene::AlphaMode::blend;
+  if (blended) made.materials[0].alpha_mode = AssetAlpha::blend;
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
   for (int i = 0; i < count; ++i) {
     const glm::dvec3 at((i % side - 0.5 * side) * 0.2 / side, (i / side - 0.5 * side) * 0.2 / side,

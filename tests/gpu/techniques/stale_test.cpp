@@ -42,7 +42,7 @@ scene::Scene with_holes() {
     pixels.rgba.insert(pixels.rgba.end(), {255, 255, 255, there});
   }
   scene::Material& skin = made.materials.front();
-  skin.alpha_mode = scene::AlphaMode::mask;
+  skin.alpha_mode = AssetAlpha::mask;
   skin.base_colour_map.image = static_cast<int>(made.images.size());
   made.images.push_back({.name = "mask", .pixels = std::make_shared<const image::Image8>(std::move(pixels))});
   return made;

@@ -105,7 +105,7 @@ scene::Scene several_materials() {
 
   scene::Material cut = made.materials.front();
   cut.name = "cut";
-  cut.alpha_mode = scene::AlphaMode::mask;
+  cut.alpha_mode = AssetAlpha::mask;
   cut.base_colour_map.image = static_cast<int>(made.images.size());
   made.images.push_back({.name = "mask", .pixels = std::make_shared<const image::Image8>(std::move(pixels))});
   scene::Material pale = made.materials.front();

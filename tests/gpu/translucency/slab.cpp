@@ -28,7 +28,7 @@ scene::Light from_behind(const glm::vec3& irradiance, double angle_deg) {
 
 scene::Light spot_behind(const glm::vec3& intensity) {
   scene::Light light = from_behind(intensity);
-  light.type = scene::LightType::spot;
+  light.type = LightType::spot;
   light.position_m = {0, 0, -0.6f};
   light.inner_cone_rad = 0.2f, light.outer_cone_rad = 0.3f;
   return light;
@@ -36,7 +36,7 @@ scene::Light spot_behind(const glm::vec3& intensity) {
 
 scene::Light point_behind(const glm::vec3& intensity) {
   scene::Light light;
-  light.type = scene::LightType::point;
+  light.type = LightType::point;
   light.colour = intensity;
   light.position_m = {0, 0, -0.3f};
   return light;

@@ -31,7 +31,7 @@ Scene plane_under_a_lamp() {
   constexpr float lamp_m = static_cast<float>(lamp_mm / 1000);
   scene::Scene made = scene::plane(1.5, glm::dmat2(1), {}, 16);
   made.lights.push_back({.name = "lamp",
-                         .type = scene::LightType::point,
+                         .type = LightType::point,
                          .colour = glm::vec3(static_cast<float>(pi) * lamp_m * lamp_m),
                          .position_m = {0, 0, lamp_m}});
   made.cameras = {camera_from_above(0.06, {0, 0, 0.1f})};

@@ -60,9 +60,9 @@ constexpr OfClass classes[] = {
 double typology_angle_deg(const Lab& lab) { return std::atan2(lab.l - 50, lab.b) * 180 / std::numbers::pi; }
 
 void expect_pigments(const optics::Pigments& found, const Lab& measured) {
-  optics::Skin fixed = optics::measured_skin();
+  SpectralSkin fixed = optics::measured_skin();
   fixed.oxygenation = found.oxygenation;
-  const optics::Skin nearest = optics::nearest_skin(measured, fixed).skin;
+  const SpectralSkin nearest = optics::nearest_skin(measured, fixed).skin;
   EXPECT_NEAR(found.melanin / nearest.melanin, 1, 0.02);
   EXPECT_NEAR(found.haemoglobin / nearest.haemoglobin, 1, 0.02);
 }
@@ -80,7 +80,7 @@ TEST(Complexion, EachClassOfTypologyAnglesHasASkin) {
     SCOPED_TRACE(tone_names[static_cast<std::size_t>(one.tone)]);
     expect_pigments(complexion(one.tone).skin, one.skin);
 
-    optics::Skin skin = optics::measured_skin();
+    SpectralSkin skin = optics::measured_skin();
     skin.melanin = complexion(one.tone).skin.melanin;
     skin.haemoglobin = complexion(one.tone).skin.haemoglobin;
     skin.oxygenation = complexion(one.tone).skin.oxygenation;
@@ -100,7 +100,7 @@ struct Mean {
   }
   // As an instrument sees it, without gloss: less than the albedo by what the surface keeps out.
   Lab lab() const {
-    const double enters = optics::entering_part(optics::measured_skin()) / count;
+    const double enters = optics::entering_part() / count;
     return optics::lab_from_linear({sum[0] * enters, sum[1] * enters, sum[2] * enters});
   }
 };

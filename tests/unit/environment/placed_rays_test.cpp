@@ -13,7 +13,7 @@
 namespace dermis::rays {
 namespace {
 
-scene::Scene balls(scene::AlphaMode alpha) {
+scene::Scene balls(AssetAlpha alpha) {
   scene::Scene made = scene::sphere(0.5, 3);
   made.materials[0].skin = false;
   made.materials[0].alpha_mode = alpha;
@@ -28,7 +28,7 @@ scene::Scene balls(scene::AlphaMode alpha) {
 }
 
 TEST(PlacedRays, HitTheSamePointsAsMeshesOfTheirOwn) {
-  for (const scene::AlphaMode alpha : {scene::AlphaMode::opaque, scene::AlphaMode::mask}) {
+  for (const AssetAlpha alpha : {AssetAlpha::opaque, AssetAlpha::mask}) {
     const scene::Scene shared = balls(alpha);
     scene::Scene distinct = shared;
     distinct.primitives = scene::written_out(shared);

@@ -179,7 +179,7 @@ TEST(GltfHeads, MakeHumanPeopleAreWholeCharacters) {
     for (const Material& m : scene.materials) {
       EXPECT_EQ(m.skin, m.name == "skin");
       EXPECT_TRUE(m.base_colour_map.present()) << m.name;
-      EXPECT_EQ(m.alpha_mode != AlphaMode::opaque, m.name == "brow" || m.name == "lash") << m.name;
+      EXPECT_EQ(m.alpha_mode != AssetAlpha::opaque, m.name == "brow" || m.name == "lash") << m.name;
     }
     EXPECT_EQ(scene.images[skin_of(scene).base_colour_map.image].pixels->width, 2048);
     EXPECT_GT(outward_part(scene), 0.99) << name;

@@ -271,7 +271,7 @@ TEST(GltfLenient, MaterialsTakeTheNearestValue) {
   EXPECT_EQ(material({{"pbrMetallicRoughness", {{"baseColorFactor", {-0.1, 0.5, 2, 1}}}}}).base_colour,
             glm::vec4(0, 0.5f, 1, 1));
   EXPECT_EQ(material({{"emissiveFactor", {2, 0, 0}}}).emissive, glm::vec3(2, 0, 0));
-  EXPECT_EQ(material({{"alphaMode", "SEETHROUGH"}}).alpha_mode, AlphaMode::opaque);
+  EXPECT_EQ(material({{"alphaMode", "SEETHROUGH"}}).alpha_mode, AssetAlpha::opaque);
   EXPECT_EQ(material({{"doubleSided", 1}}).double_sided, false);
   EXPECT_EQ(material({{"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}}).ior, 1);
   EXPECT_TRUE(material({{"extensions", {{"KHR_materials_unlit", true}}}}).skin);

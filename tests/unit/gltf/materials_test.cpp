@@ -57,7 +57,7 @@ TEST(GltfMaterial, FactorsMapsAndExtensions) {
   EXPECT_EQ(m.specular_colour, glm::vec3(2, 1, 0));
   EXPECT_EQ(m.specular_map.channel, 3);
   EXPECT_TRUE(m.unlit && m.double_sided && m.skin);
-  EXPECT_EQ(m.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(m.alpha_mode, AssetAlpha::mask);
   EXPECT_EQ(m.alpha_cutoff, 0.3f);
 
   ASSERT_EQ(scene.images.size(), 1u);
@@ -110,7 +110,7 @@ TEST(GltfMaterial, LightPassesASurfaceAndIsScatteredBySkin) {
   };
   const Warnings warnings;
   const Material cornea = with_material(shell("cornea", "OPAQUE")).load().materials[0];
-  EXPECT_EQ(cornea.alpha_mode, AlphaMode::blend);
+  EXPECT_EQ(cornea.alpha_mode, AssetAlpha::blend);
   EXPECT_EQ(cornea.transmission, 0.75f);
   EXPECT_FALSE(warnings.any_with("transmission")) << warnings.all();
 
@@ -123,7 +123,7 @@ TEST(GltfMaterial, LightPassesASurfaceAndIsScatteredBySkin) {
   EXPECT_TRUE(skin.skin);
   EXPECT_EQ(skin.transmission, 0);
   const Material cut_out = with_material(shell("net", "MASK")).load().materials[0];
-  EXPECT_EQ(cut_out.alpha_mode, AlphaMode::mask);
+  EXPECT_EQ(cut_out.alpha_mode, AssetAlpha::mask);
   EXPECT_TRUE(
       warnings.any_with("KHR_materials_transmission of skin and of cut-out materials is left out: 'skin'"))
       << warnings.all();
@@ -152,7 +152,7 @@ TEST(GltfMaterial, BlendedSkinIsASurface) {
   EXPECT_FALSE(scene.materials[0].skin);
   EXPECT_TRUE(scene.materials[1].skin);
   EXPECT_FALSE(scene.materials[2].skin);
-  EXPECT_EQ(scene.materials[0].alpha_mode, AlphaMode::blend);
+  EXPECT_EQ(scene.materials[0].alpha_mode, AssetAlpha::blend);
   EXPECT_EQ(scene.materials[0].ior, 1.5f) << "that of any surface";
   EXPECT_FALSE(named.materials[2].skin) << "--skin names what may be skin, not how it is drawn";
   ASSERT_EQ(lines.size(), 2u);

@@ -132,7 +132,7 @@ TEST(MonteCarloProgress, ARunThatIsEndedKeepsNothing) {
 
 TEST(MonteCarloNoise, FallsWithPhotonsAlsoInMixtures) {
   EXPECT_FALSE(profile::sampled(profile::Dipole({.1, 1, 0, 1.4})).has_value());
-  const optics::Skin dark{.melanin = 0.3};
+  const SpectralSkin dark{.melanin = 0.3};
   const auto made = [&](std::uint64_t photons) {
     return profile::make_profiles(dark, profile::Model::monte_carlo,
                                   {.photons = photons, .seed = 1, .cache = {}}, "test");
@@ -159,7 +159,7 @@ TEST(MonteCarloOptions, PhotonsAreCheckedBeforeTheyAreShared) {
   for (const std::uint64_t photons :
        {std::uint64_t{0}, std::uint64_t{10}, std::uint64_t{100'000'000'000'000'000}}) {
     try {
-      profile::make_profiles(optics::Skin{}, profile::Model::automatic,
+      profile::make_profiles(SpectralSkin{}, profile::Model::automatic,
                              {.photons = photons, .seed = 1, .cache = {}}, "test");
       ADD_FAILURE() << photons;
     } catch (const InputError& error) {

@@ -29,7 +29,7 @@ TEST(SkinColour, MeasuredGroupsLieNearTheModel) {
 TEST(SkinColour, FindsItsOwnColours) {
   for (const double melanin : {0.01, 0.1})
     for (const double blood : {0.005, 0.03}) {
-      optics::Skin skin = optics::measured_skin();
+      SpectralSkin skin = optics::measured_skin();
       skin.melanin = melanin, skin.haemoglobin = blood;
       const optics::SkinMatch match =
           optics::nearest_skin(optics::lab_from_linear(optics::skin_colour(skin)));
@@ -42,8 +42,8 @@ TEST(SkinColour, FindsItsOwnColours) {
 // The colours of skin fold back on themselves; these two are met in the other fold than the nearest grid
 // point's, one by swatches at 5.0 and 9.8 dE.
 TEST(SkinColour, FindsTheBetterFold) {
-  EXPECT_LT(optics::nearest_skin({28.1595, 0.3932, 3.7488}, optics::Skin{}).delta_e, 5.0);
-  EXPECT_LT(optics::nearest_skin({49.7161, -3.8881, 12.5156}, optics::Skin{}).delta_e, 9.8);
+  EXPECT_LT(optics::nearest_skin({28.1595, 0.3932, 3.7488}, SpectralSkin{}).delta_e, 5.0);
+  EXPECT_LT(optics::nearest_skin({49.7161, -3.8881, 12.5156}, SpectralSkin{}).delta_e, 9.8);
 }
 
 TEST(SkinColour, CoarseAndFineAgree) {
@@ -63,7 +63,7 @@ TEST(SkinColour, TextIsReadOrRefused) {
 }
 
 TEST(SpectralProfile, IntegratesToTheColour) {
-  const optics::Skin skin{.melanin = 0.01};
+  const SpectralSkin skin{.melanin = 0.01};
   const optics::Rgb colour = optics::skin_reflectance(skin);
   const auto diffusion = profile::make_profiles(skin, profile::Model::multipole, {}, "test");
   const auto photons = profile::make_profiles(skin, profile::Model::automatic,
@@ -109,7 +109,7 @@ TEST(Model, AutomaticSaysWhatDecided) {
 
   // Spectral skin without melanin and blood: pale enough for diffusion, if the epidermis is thick enough
   const auto skin = [&](double epidermis_mm) {
-    return profile::make_profiles(optics::Skin{.melanin = 0, .haemoglobin = 0, .epidermis_mm = epidermis_mm},
+    return profile::make_profiles(SpectralSkin{.melanin = 0, .haemoglobin = 0, .epidermis_mm = epidermis_mm},
                                   profile::Model::automatic, few, "test");
   };
   EXPECT_EQ(skin(1).model, profile::Model::multipole);

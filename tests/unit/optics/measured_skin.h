@@ -4,7 +4,7 @@
 // Alaluf et al.: The impact of epidermal melanin on objective measurements of human skin colour. Pigment Cell
 // Research, 2002 (10-degree observer)
 // Xiao et al.: Characterising the variations in ethnic skin colours: a new calibrated data base for human
-// skin. Skin Research and Technology, 2017
+// skin. SpectralSkin Research and Technology, 2017
 #pragma once
 
 #include "optics/observer.h"

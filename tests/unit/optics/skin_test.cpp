@@ -13,12 +13,12 @@
 #include "optics/skin.h"
 #include "profile/monte_carlo.h"
 #include "profile/slab.h"
+#include "settings/check.h"
 #include "support/assets.h"
 
 namespace dermis {
 namespace {
 
-using optics::Skin;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TEST(Radiative, ChandrasekharH) {
@@ -83,7 +83,7 @@ TEST(Radiative, AsExactAsStated) {
 
 struct TypeRow {
   const char* name;
-  Skin skin;
+  SpectralSkin skin;
   double nm, monte_carlo, multipole;
 };
 const TypeRow types[] = {
@@ -132,7 +132,7 @@ TEST(Skin, Chromophores) {
   }
 }
 
-double total(const Skin& skin, double nm) {
+double total(const SpectralSkin& skin, double nm) {
   return optics::adding_doubling(optics::skin_layers(skin, nm)).reflectance;
 }
 
@@ -155,7 +155,7 @@ TEST(Skin, LightestToDarkestIsOrderedAtEveryWavelength) {
 }
 
 TEST(Skin, TheWOfHaemoglobin) {
-  const Skin skin{.melanin = .01, .haemoglobin = .02, .oxygenation = .95};
+  const SpectralSkin skin{.melanin = .01, .haemoglobin = .02, .oxygenation = .95};
   const double low1 = total(skin, 542), middle = total(skin, 560), low2 = total(skin, 576),
                after = total(skin, 600);
   EXPECT_LT(low1, middle - .01);
@@ -165,7 +165,7 @@ TEST(Skin, TheWOfHaemoglobin) {
 
 TEST(Skin, BlushingAndBlanchingChangeGreenAndBlueMost) {
   const auto colour = [](double blood) {
-    const Skin skin{.melanin = .01, .haemoglobin = blood};
+    const SpectralSkin skin{.melanin = .01, .haemoglobin = blood};
     return optics::linear_rgb([&](double nm) { return total(skin, nm); });
   };
   const optics::Rgb normal = colour(.01), blush = colour(.05), blanch = colour(.001);
@@ -180,10 +180,10 @@ TEST(Skin, BlushingAndBlanchingChangeGreenAndBlueMost) {
 }
 
 TEST(Skin, RangesAreChecked) {
-  EXPECT_THROW(check(Skin{.melanin = -.1}, "x"), InputError);
-  EXPECT_THROW(check(Skin{.haemoglobin = .2}, "x"), InputError);
-  EXPECT_THROW(check(Skin{.oxygenation = NAN}, "x"), InputError);
-  EXPECT_NEAR(optics::entering_part({.oiliness = 1}), 1 - .076812, 1e-6);
+  EXPECT_THROW(check_ranges(SpectralSkin{.melanin = -.1}, "x"), InputError);
+  EXPECT_THROW(check_ranges(SpectralSkin{.haemoglobin = .2}, "x"), InputError);
+  EXPECT_THROW(check_ranges(SpectralSkin{.oxygenation = NAN}, "x"), InputError);
+  EXPECT_NEAR(optics::entering_part(), 1 - .3 * .076812, 1e-6);
 }
 
 TEST(Observer, WhiteGreyAndLab) {

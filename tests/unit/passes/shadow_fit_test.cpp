@@ -46,14 +46,14 @@ std::vector<glm::vec3> directions() {
 
 scene::Light sun(const glm::vec3& direction) {
   scene::Light light;
-  light.type = scene::LightType::directional;
+  light.type = LightType::directional;
   light.direction = direction;
   return light;
 }
 
 scene::Light lamp(const Body& body, const glm::vec3& direction, float distance_radii) {
   scene::Light light;
-  light.type = scene::LightType::spot;
+  light.type = LightType::spot;
   light.direction = direction;
   light.position_m = body.sphere.centre_m - direction * (distance_radii * body.sphere.radius_m);
   return light;
@@ -144,7 +144,7 @@ TEST(ShadowFit, OfNothingAndOfAPoint) {
 TEST(ShadowFit, SixLayersAroundALightInside) {
   const Body body;
   scene::Light light;
-  light.type = scene::LightType::point;
+  light.type = LightType::point;
   light.position_m = body.sphere.centre_m;
   EXPECT_EQ(fit_shadow(light, body.tight(), map_size).shadow_from_world.size(), 6u);
 }

@@ -26,8 +26,8 @@ using optics::Lab;
 using optics::Pigments;
 using optics::Rgb;
 
-optics::Skin skin_of(const Pigments& pigments) {
-  optics::Skin skin = optics::measured_skin();
+SpectralSkin skin_of(const Pigments& pigments) {
+  SpectralSkin skin = optics::measured_skin();
   skin.melanin = pigments.melanin;
   skin.haemoglobin = pigments.haemoglobin;
   skin.oxygenation = pigments.oxygenation;
@@ -69,7 +69,7 @@ Lab stripe(const scene::Scene& scene, int number) {
 }
 
 TEST(SkinTable, IsTheModel) {
-  optics::Skin fixed = optics::measured_skin();
+  SpectralSkin fixed = optics::measured_skin();
   const optics::SkinTable table(fixed, {0.25, 0.5, 0.75, 1});
   for (const double oxygenation : {0.3, 0.75, 1.0})
     for (Pigments pigments : some) {

@@ -20,9 +20,9 @@ scene::Scene half_plane() {
                                       255, 255, 255, 0, 255, 255, 255, 0}};
   made.images.push_back({.name = "mask", .pixels = std::make_shared<const image::Image8>(pixels)});
   scene::Material& skin = made.materials.front();
-  skin.alpha_mode = scene::AlphaMode::mask;
+  skin.alpha_mode = AssetAlpha::mask;
   skin.base_colour_map.image = 0;
-  skin.base_colour_map.wrap_u = skin.base_colour_map.wrap_v = scene::Wrap::clamp;
+  skin.base_colour_map.wrap_u = skin.base_colour_map.wrap_v = AssetWrap::clamp;
   return made;
 }
 

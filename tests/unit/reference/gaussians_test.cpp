@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 Job gaussians_job(const scene::Scene& scene, int side) {
   Job job = tests::furnace(scene, side);
-  job.model = Model::gaussians;
+  job.model = ReferenceModel::gaussians;
   job.setup.specular = false;
   return job;
 }
@@ -119,7 +119,7 @@ TEST(Gaussians, WithoutTermsOfNoWidthBothModelsGiveTheSameBits) {
   const scene::Scene sphere = scene::sphere(0.005, 16);
   Job job = gaussians_job(sphere, 16);
   const Film own = tests::rendered(Tracer(sphere, job), 8, 3);
-  job.model = Model::bssrdf;
+  job.model = ReferenceModel::bssrdf;
   EXPECT_EQ(own.state(), tests::rendered(Tracer(sphere, job), 8, 3).state());
 }
 

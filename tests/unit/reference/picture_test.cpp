@@ -41,7 +41,7 @@ TEST(Picture, VolumeFurnaceIsWhite) {
   const scene::Scene sphere = scene::sphere(0.005, 16);
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(sphere, 16);
-    job.model = Model::volume;
+    job.model = ReferenceModel::volume;
     job.setup.specular = specular;
     job.medium.fill({.sigma_a_per_mm = 0, .sigma_s_per_mm = 1, .g = 0.5, .eta = 1.4});
     const Deviation d = deviation(tests::rendered(Tracer(sphere, job), 4), glm::dvec3(1));

@@ -15,7 +15,7 @@
 namespace dermis::reference {
 namespace {
 
-class Run : public testing::TestWithParam<Model> {
+class Run : public testing::TestWithParam<ReferenceModel> {
  protected:
   Job job() const {
     Job s = tests::furnace(scene_, 40);
@@ -76,7 +76,7 @@ TEST_P(Run, GoesOnFromACheckpointAsIfItHadNotStopped) {
 TEST_P(Run, EndsWhenTheNoiseIsLowAndTheVarianceIsHonest) {
   const Tracer tracer(scene_, job());
   Film film(40, 40);
-  const double noise_percent = GetParam() == Model::bssrdf ? 1.5 : 5;  // walks scatter more
+  const double noise_percent = GetParam() == ReferenceModel::bssrdf ? 1.5 : 5;  // walks scatter more
   EXPECT_TRUE(render(tracer, film, {.samples = 4096, .noise_percent = noise_percent, .seed = 3}));
   EXPECT_LT(film.samples(), 4096u);
   EXPECT_GT(film.samples(), 128u) << "variances of too few blocks scatter themselves";
@@ -103,9 +103,9 @@ TEST_P(Run, EndsWhenTheNoiseIsLowAndTheVarianceIsHonest) {
   EXPECT_NEAR(sum / count, 1, 0.25);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Run, testing::Values(Model::bssrdf, Model::volume),
+INSTANTIATE_TEST_SUITE_P(Models, Run, testing::Values(ReferenceModel::bssrdf, ReferenceModel::volume),
                          [](const auto& parameter) {
-                           return parameter.param == Model::bssrdf ? "bssrdf" : "volume";
+                           return parameter.param == ReferenceModel::bssrdf ? "bssrdf" : "volume";
                          });
 
 }  // namespace

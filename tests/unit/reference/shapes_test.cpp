@@ -35,7 +35,7 @@ Seen seen(const Body& body, const optics::RgbMedium& medium, double light_deg, s
           double eye_deg = 0) {
   const scene::Scene scene = mesh_of(body, 30);
   Job job;
-  job.model = Model::volume;
+  job.model = ReferenceModel::volume;
   job.medium = medium;
   job.setup.camera = tests::camera_from_aside(0.1e-3, eye_deg);
   job.setup.width = job.setup.height = 8;

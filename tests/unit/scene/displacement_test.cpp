@@ -63,7 +63,7 @@ TEST(Displacement, ARampOfStairsComesOutEven) {
   DisplacementSettings s;
   s.displacement_mm = 3;
   s.mm_per_uv = {9.6, 9.6};
-  s.wrap_u = Wrap::clamp;
+  s.wrap_u = AssetWrap::clamp;
 
   const image::Image8 n =
       displaced_normals(heights_of(256, 8, [](double u, double) { return 24 * u / 255; }), s);
@@ -178,7 +178,7 @@ TEST(Displacement, SizesAndEdges) {
   DisplacementSettings s;
   s.displacement_mm = 1;
   const auto one = heights_of(1, 1, [](double, double) { return 1.0; });
-  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp, Wrap::mirror}) {
+  for (const AssetWrap wrap : {AssetWrap::repeat, AssetWrap::clamp, AssetWrap::mirror}) {
     s.wrap_u = s.wrap_v = wrap;
     const image::Image8 n = displaced_normals(one, s);
     EXPECT_EQ(n.rgba, (std::vector<std::uint8_t>{128, 128, 255, 255}));
