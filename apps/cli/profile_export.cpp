@@ -20,13 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // With variances of their own per channel, each term has the weight of one.
-gaussians::SumOfGaussians sum_for_kernels(const Source& source, const Fitted& fitted) {
+ScatterProfile sum_for_kernels(const Source& source, const Fitted& fitted) {
   std::map<double, gaussians::Rgb> weights;
   for (int c = 0; c < 3; ++c)
     for (const gaussians::Term& term : normalised(fitted, c))
       weights[term.variance_mm2][static_cast<std::size_t>(c)] += term.weight;
 
-  gaussians::SumOfGaussians sum;
+  ScatterProfile sum;
   sum.name = source.name;
   for (const auto& [variance_mm2, weight] : weights)
     if (weight != gaussians::Rgb{}) sum.terms.push_back({variance_mm2, weight});

@@ -183,7 +183,7 @@ std::vector<gaussians::Term> normalised(const Fitted& fitted, int c) {
   std::vector<gaussians::Term> terms = fitted.channels[c].terms;
   const double sum = fitted.channels[c].weight_sum();
   for (gaussians::Term& term : terms) term.weight /= sum;
-  for (const gaussians::Gaussian& gaussian : fitted.shared.terms)
+  for (const Gaussian& gaussian : fitted.shared.terms)
     terms.push_back({gaussian.variance_mm2, gaussian.weight[c]});
   return terms;
 }
@@ -191,7 +191,7 @@ std::vector<gaussians::Term> normalised(const Fitted& fitted, int c) {
 std::string table(const Source& source, const Fitted& fitted) {
   std::string text = fmt::format("{}: {}\n", source.name, source.model) + notes(source, fitted);
   text += fmt::format("{:<34}{:>12}{:>12}{:>12}\n", "", "red", "green", "blue");
-  for (const gaussians::Gaussian& term : fitted.shared.terms)
+  for (const Gaussian& term : fitted.shared.terms)
     text += row(fmt::format("variance {:>10.5g} mm^2    weights", term.variance_mm2), term.weight);
   if (fitted.shared.terms.empty())
     for (int c = 0; c < 3; ++c)
@@ -219,7 +219,7 @@ std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& ot
 
 std::string profile_json(const Source& source, const Fitted& fitted) {
   if (fitted.shared.terms.empty()) return per_channel_json(source, fitted);
-  gaussians::SumOfGaussians sum = fitted.shared;
+  ScatterProfile sum = fitted.shared;
   sum.model = source.model;
   sum.total_reflectance = fitted.total;
   sum.mean_free_path_mm = finite_or_0(fitted.mean_free_path_mm);
@@ -241,7 +241,7 @@ PlottedSum plotted(const Fitted& fitted) {
 }
 
 PlottedSum plotted(const std::string& name_or_path) {
-  gaussians::SumOfGaussians sum = gaussians::from_name_or_file(name_or_path);
+  ScatterProfile sum = gaussians::from_name_or_file(name_or_path);
   sum.total_reflectance = {1, 1, 1};
   PlottedSum out{.label = sum.name.empty() ? name_or_path : sum.name, .channels = {}};
   for (int c = 0; c < 3; ++c) out.channels[c] = gaussians::channel(sum, c);

@@ -14,7 +14,7 @@ namespace dermis::cli {
 
 /// A fit in either form, ready to be printed.
 struct Fitted {
-  gaussians::SumOfGaussians shared;               ///< terms empty if per channel
+  ScatterProfile shared;                          ///< terms empty if per channel
   std::array<gaussians::ChannelFit, 3> channels;  ///< terms empty if shared
   gaussians::Rgb error_percent{};
   /// what the model gives back, which may be more than entered

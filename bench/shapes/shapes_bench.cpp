@@ -89,8 +89,7 @@ optics::Rgb rms_percent(const Body& body, const std::vector<ShapeLight>& lights,
   return out;
 }
 
-Json errors_json(const Body& body, const gaussians::SumOfGaussians& profile,
-                 const std::vector<ShapeLight>& lights) {
+Json errors_json(const Body& body, const ScatterProfile& profile, const std::vector<ShapeLight>& lights) {
   const auto lambert = [&](const ShapeLight& light) {
     const double lit = std::max(std::cos(light.light_deg * std::numbers::pi / 180), 0.0);
     return optics::Rgb{lit, lit, lit};
@@ -113,7 +112,7 @@ Json errors_json(const Body& body, const gaussians::SumOfGaussians& profile,
           {"noise", rms_percent(body, lights, noise)}};
 }
 
-Json run(const std::string& text, const gaussians::SumOfGaussians& profile, std::uint64_t walks) {
+Json run(const std::string& text, const ScatterProfile& profile, std::uint64_t walks) {
   const Body body = body_of(text);
   const std::vector<ShapeLight> lights = reference::follow(
       body, optics::rgb_medium(*profile.medium), {.walks = walks, .lights_deg = lights_of(body.shape)});
@@ -141,7 +140,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const gaussians::SumOfGaussians profile = gaussians::checked_sum(profile_of(argv[3]));
+    const ScatterProfile profile = gaussians::checked_profile(profile_of(argv[3]));
     std::string command = "shapes_bench";
     for (int i = 1; i < argc; ++i) command += fmt::format(" '{}'", argv[i]);
     Json out{{"command", command},

@@ -64,15 +64,23 @@ struct ShapeLaws {
   bool operator==(const ShapeLaws&) const = default;
 };
 
+/// One term of a profile.
+struct Gaussian {
+  double variance_mm2 = 0;         ///< > 0
+  std::array<double, 3> weight{};  ///< >= 0
+  bool operator==(const Gaussian&) const = default;
+};
+
 /// R(r) = total * sum_i w_i exp(-r^2 / (2 v_i)) / (2 pi v_i), r in mm, per colour channel (linear Rec.709).
 struct ScatterProfile {
   std::string name;
-  std::string model;                                 ///< the model that made it
-  std::vector<double> variances_mm2;                 ///< 1 to 8, > 0, rising
-  std::vector<std::array<double, 3>> weights;        ///< as many, >= 0, summing to 1 per channel within 1e-3
-  std::array<double, 3> error_percent{};             ///< of the fit, docs/theory.md
-  std::array<double, 3> total_reflectance{1, 1, 1};  ///< 0..1: model_total, cut to 1
-  /// 1 / sigma_t'; of the equivalent half-space where skin has layers
+  std::string model;  ///< the model that made it ("dipole", "Monte-Carlo", ...); empty: published or unknown
+  std::vector<Gaussian> terms;  ///< 1 to 8, narrow to wide; weights sum to 1 per channel within 1e-3
+  /// 0..1: model_total, cut to 1; the integral of R over the plane
+  std::array<double, 3> total_reflectance{1, 1, 1};
+  /// 100 sqrt(Int r (R - S)^2 dr / Int r R^2 dr) of the fit S; 0: published or unknown
+  std::array<double, 3> error_percent{};
+  /// 1 / sigma_t'; of the equivalent half-space where skin has layers; 0: unknown
   std::array<double, 3> mean_free_path_mm{};
   std::array<double, 3> diffuse_mean_free_path_mm{};  ///< 1 / sigma_tr; 0 where there is no absorption
   /// The medium of the profile, index included, in which ground truth follows light. Of layers and spectral
@@ -80,10 +88,10 @@ struct ScatterProfile {
   std::optional<Coefficients> medium;
   /// change of its light with the shape of the body; with a medium alone
   std::optional<ShapeLaws> shape;
-  /// reflectance of the model itself; "beam" can give more light back than entered
-  std::array<double, 3> model_total{};
 
   // Added by profile_of_...(), and kept by no file.
+  /// reflectance of the model itself; "beam" can give more light back than entered
+  std::array<double, 3> model_total{};
   std::string model_reason;  ///< why ProfileModel::automatic chose the model; empty if it was asked for
   /// null of a profile that profile_of_...() has not made; shared by copies
   std::shared_ptr<const ModelCurves> model_curves;
@@ -91,6 +99,9 @@ struct ScatterProfile {
   std::array<double, 3> noise_percent{};
   /// 0..1, of the light: photons that were given up after 200,000 scatterings
   std::array<double, 3> missing_light{};
+
+  double max_variance_mm2() const { return terms.empty() ? 0 : terms.back().variance_mm2; }
+  bool operator==(const ScatterProfile&) const = default;
 };
 
 /// Spectral skin (Donner and Jensen 2006).
@@ -152,9 +163,9 @@ ProfileTable model_table(const ScatterProfile& profile, const Hooks& hooks = {})
 /// total_reflectance.
 std::array<double, 3> reflectance(const ScatterProfile& profile, double r_mm);
 
-/// Throws InputError if no picture can be made with the profile. So it must have 1 to 8 terms with as many
-/// weights as variances, variances > 0 that rise, and weights >= 0 that sum to 1 per channel. Totals lie
-/// within 0..1, and all numbers are finite. Every function that takes a profile calls it.
+/// Throws InputError if no picture can be made with the profile. So it must have 1 to 8 terms with variances
+/// > 0 that rise, and weights >= 0 that sum to 1 per channel. Totals lie within 0..1, and all numbers are
+/// finite. Every function that takes a profile calls it.
 void check_profile(const ScatterProfile& profile);
 
 /// A published profile by name ("skin"), else a profile file; with the checks of `render --profile`.

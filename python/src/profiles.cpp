@@ -37,8 +37,18 @@ void add_profiles(nb::module_& m) {
   nb::class_<ScatterProfile>(m, "Profile")
       .def_ro("name", &ScatterProfile::name)
       .def_ro("model", &ScatterProfile::model)
-      .def_ro("variances_mm2", &ScatterProfile::variances_mm2)
-      .def_ro("weights", &ScatterProfile::weights)
+      .def_prop_ro("variances_mm2",
+                   [](const ScatterProfile& p) {
+                     std::vector<double> variances_mm2;
+                     for (const Gaussian& term : p.terms) variances_mm2.push_back(term.variance_mm2);
+                     return variances_mm2;
+                   })
+      .def_prop_ro("weights",
+                   [](const ScatterProfile& p) {
+                     std::vector<std::array<double, 3>> weights;
+                     for (const Gaussian& term : p.terms) weights.push_back(term.weight);
+                     return weights;
+                   })
       .def_ro("error_percent", &ScatterProfile::error_percent)
       .def_ro("total_reflectance", &ScatterProfile::total_reflectance)
       .def_ro("mean_free_path_mm", &ScatterProfile::mean_free_path_mm)

@@ -36,9 +36,8 @@ static_assert(std::get<0>(fields_of<ProfileOptions>).about.most == gaussians::ma
 ScatterProfile api::fitted_profile(const std::string& name, const profile::ModelledProfiles& made,
                                    const optics::RgbMedium* medium, double eta,
                                    const ProfileOptions& options) {
-  const gaussians::SumOfGaussians sum =
-      gaussians::fit_shared(made.profiles, options.gaussians, name, options.fit);
-  ScatterProfile out = gaussians::scatter_profile(sum);
+  const ScatterProfile sum = gaussians::fit_shared(made.profiles, options.gaussians, name, options.fit);
+  ScatterProfile out = sum;
   out.model = made.profiles[0]->name();
   out.model_reason = made.reason;
   out.model_curves = std::make_shared<const ModelCurves>(made.profiles);
@@ -117,21 +116,21 @@ ProfileTable model_table(const ScatterProfile& profile, const Hooks& hooks) {
 }
 
 std::array<double, 3> reflectance(const ScatterProfile& profile, double r_mm) {
-  const gaussians::SumOfGaussians sum = gaussians::checked_sum(profile);
+  const ScatterProfile sum = gaussians::checked_profile(profile);
   if (!(r_mm >= 0)) throw input_error("", "r_mm must be >= 0, got {}", r_mm);
   std::array<double, 3> values{};
   for (int c = 0; c < 3; ++c) values[c] = gaussians::evaluate(gaussians::channel(sum, c), r_mm);
   return values;
 }
 
-void check_profile(const ScatterProfile& profile) { gaussians::checked_sum(profile); }
+void check_profile(const ScatterProfile& profile) { gaussians::checked_profile(profile); }
 
 ScatterProfile load_profile(const std::string& name_or_path, bool normalise) {
-  return gaussians::scatter_profile(gaussians::from_name_or_file(name_or_path, normalise));
+  return gaussians::from_name_or_file(name_or_path, normalise);
 }
 
 void write_profile(const ScatterProfile& profile, const std::string& path) {
-  write_file(path, gaussians::to_json(gaussians::checked_sum(profile)));
+  write_file(path, gaussians::to_json(gaussians::checked_profile(profile)));
 }
 
 }  // namespace dermis

@@ -59,11 +59,10 @@ std::vector<std::string> exchange_systems() { return strings_of(gaussians::excha
 std::vector<std::string> kernel_names() { return strings_of(gaussians::kernel_names()); }
 
 std::string export_profile(const ScatterProfile& profile, const std::string& system) {
-  const gaussians::SumOfGaussians sum = gaussians::checked_sum(profile);
+  const ScatterProfile sum = gaussians::checked_profile(profile);
   gaussians::Exported input{.name = profile.name, .profiles = {}, .terms = {}, .medium = {}};
   for (int c = 0; c < 3; ++c) {
-    for (const gaussians::Gaussian& term : sum.terms)
-      input.terms[c].push_back({term.variance_mm2, term.weight[c]});
+    for (const Gaussian& term : sum.terms) input.terms[c].push_back({term.variance_mm2, term.weight[c]});
     input.profiles[c] = profile.model_curves ? profile.model_curves->profiles[c]
                                              : std::make_shared<GaussianCurve>(gaussians::channel(sum, c));
   }
@@ -79,7 +78,7 @@ std::string export_profile(const ScatterProfile& profile, const std::string& sys
 ProfileKernel export_kernel(const ScatterProfile& profile, const std::string& kernel,
                             std::optional<int> taps) {
   const gaussians::ExportedKernel made =
-      gaussians::export_kernel(kernel, gaussians::checked_sum(profile), taps);
+      gaussians::export_kernel(kernel, gaussians::checked_profile(profile), taps);
   return {.json = made.json, .c = made.c, .glsl = made.glsl};
 }
 

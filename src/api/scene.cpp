@@ -141,7 +141,7 @@ InstanceId Scene::add(const Instance& instance) {
       .changes = {.pose = next_change(), .material = next_change(), .rig = next_change()}};
   check_mix(instance.mix);
   check_tint(instance.tint);
-  if (instance.profile) placed.profile = gaussians::checked_sum(*instance.profile);
+  if (instance.profile) placed.profile = gaussians::checked_profile(*instance.profile);
 
   ++state_->next_id;
   state_->instances.push_back(std::move(placed));
@@ -189,8 +189,8 @@ void Scene::set_visible(InstanceId id, bool visible) {
 
 void Scene::set_profile(InstanceId id, const std::optional<ScatterProfile>& profile) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
-  std::optional<gaussians::SumOfGaussians> sum;
-  if (profile) sum = gaussians::checked_sum(*profile);
+  std::optional<ScatterProfile> sum;
+  if (profile) sum = gaussians::checked_profile(*profile);
   placed.profile = std::move(sum);
   placed.instance.profile = profile;
   placed.changes.material = next_change();

@@ -19,7 +19,7 @@ struct Scene::State {
     Instance instance;
     setup::Pose pose;                                ///< of world_from_asset
     std::shared_ptr<const setup::PosedAsset> posed;  ///< of Instance::pose
-    std::optional<gaussians::SumOfGaussians> profile;
+    std::optional<ScatterProfile> profile;
     InstanceChanges changes;
   };
   /// Of a light of a file: the instance whose poses move it, and its number in the asset.

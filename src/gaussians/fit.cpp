@@ -184,7 +184,7 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Measure
   return fit;
 }
 
-SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
+ScatterProfile fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
                           const std::string& name, Measure measure) {
   DERMIS_ASSERT(terms >= 1 && terms <= max_terms);
 
@@ -202,7 +202,7 @@ SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, in
 
   const Solution solution = search(targets, range, terms);
   steps.done(search_steps);
-  SumOfGaussians sum;
+  ScatterProfile sum;
   sum.name = name;
   for (int c = 0; c < 3; ++c) {
     sum.total_reflectance[c] = profiles[c]->total();
@@ -237,7 +237,7 @@ double error_percent(const profile::RadialProfile& profile, std::span<const Term
   return 100 * residual.norm();
 }
 
-std::vector<Term> channel(const SumOfGaussians& sum, int c) {
+std::vector<Term> channel(const ScatterProfile& sum, int c) {
   std::vector<Term> terms;
   for (const Gaussian& gaussian : sum.terms)
     terms.push_back({gaussian.variance_mm2, gaussian.weight[c] * sum.total_reflectance[c]});

@@ -50,7 +50,7 @@ ChannelFit fit_channel(const profile::RadialProfile& profile, int terms, Measure
 /// three squared relative errors. Weights are returned divided by their sum per channel, errors are those
 /// before the division, total_reflectance is the profile's own total. Mean free paths stay 0: the caller
 /// knows them.
-SumOfGaussians fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
+ScatterProfile fit_shared(const std::array<profile::ProfilePtr, 3>& profiles, int terms,
                           const std::string& name, Measure measure = Measure::plane);
 
 /// Returns the variance [mm^2] of the beam through which a profile with a 1/r pole is fitted and its error
@@ -62,7 +62,7 @@ double core_variance_mm2(const profile::RadialProfile& profile);
 double error_percent(const profile::RadialProfile& profile, std::span<const Term> terms);
 
 /// Returns channel c (0..2) of a sum, with weights multiplied by total_reflectance.
-std::vector<Term> channel(const SumOfGaussians& sum, int c);
+std::vector<Term> channel(const ScatterProfile& sum, int c);
 
 /// Returns S(r) = Sum w_i G(v_i, r) [1/mm^2], r >= 0 in mm. [DLE07] sec. 4.
 double evaluate(std::span<const Term> terms, double radius_mm);

@@ -75,11 +75,11 @@ void check_weights(std::vector<Gaussian>& terms, bool normalise, const json::Val
 
 }  // namespace
 
-SumOfGaussians read_json(const json::Value& root, bool normalise, LeastVariance least) {
+ScatterProfile read_json(const json::Value& root, bool normalise, LeastVariance least) {
   root.only_keys({"name", "model", "variances_mm2", "weights", "error_percent", "total_reflectance",
                   "mean_free_path_mm", "diffuse_mean_free_path_mm", "medium", "shape"});
 
-  SumOfGaussians sum;
+  ScatterProfile sum;
   sum.name = root.text_or("name", sum.name);
   sum.model = root.text_or("model", sum.model);
   sum.terms = read_terms(root, least);
@@ -93,15 +93,15 @@ SumOfGaussians read_json(const json::Value& root, bool normalise, LeastVariance 
   return sum;
 }
 
-SumOfGaussians parse_json(std::string_view text, const std::string& where, bool normalise) {
+ScatterProfile parse_json(std::string_view text, const std::string& where, bool normalise) {
   return read_json(json::Document(text, where, limits).root(), normalise);
 }
 
-SumOfGaussians load_json(const std::filesystem::path& path, bool normalise, LeastVariance least) {
+ScatterProfile load_json(const std::filesystem::path& path, bool normalise, LeastVariance least) {
   return read_json(json::load(path, max_file_bytes, limits).root(), normalise, least);
 }
 
-std::string to_json(const SumOfGaussians& sum) {
+std::string to_json(const ScatterProfile& sum) {
   using Json = nlohmann::ordered_json;
   Json root;
   root["name"] = sum.name;
@@ -121,7 +121,7 @@ std::string to_json(const SumOfGaussians& sum) {
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-SumOfGaussians from_name_or_file(const std::string& name_or_path, bool normalise, LeastVariance least) {
+ScatterProfile from_name_or_file(const std::string& name_or_path, bool normalise, LeastVariance least) {
   const std::vector<std::string_view> names = known_names();
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) return known(name_or_path);
   std::error_code error;

@@ -115,7 +115,7 @@ KernelPicture picture_of(const NumberArray& array, int width) {
           .values = std::vector<float>(array.numbers.begin(), array.numbers.end())};
 }
 
-void add_gaussians(KernelText& kernel, const SumOfGaussians& profile) {
+void add_gaussians(KernelText& kernel, const ScatterProfile& profile) {
   NumberArray terms{"gaussians", "variance in mm^2, weights of red, green and blue", 4, {}};
   for (const Gaussian& term : profile.terms)
     terms.numbers.insert(terms.numbers.end(),
@@ -123,7 +123,7 @@ void add_gaussians(KernelText& kernel, const SumOfGaussians& profile) {
   kernel.arrays.push_back(std::move(terms));
 }
 
-KernelText separable_kernel(const SumOfGaussians& profile, int taps) {
+KernelText separable_kernel(const ScatterProfile& profile, int taps) {
   KernelText kernel;
   NumberArray array{"taps", "weights of red, green and blue, offset in mm; the middle first", 4, {}};
   for (const LineTap& tap : line_spread_kernel(profile, taps))
@@ -139,7 +139,7 @@ KernelText separable_kernel(const SumOfGaussians& profile, int taps) {
   return kernel;
 }
 
-KernelText disc_kernel(const SumOfGaussians& profile, int taps) {
+KernelText disc_kernel(const ScatterProfile& profile, int taps) {
   KernelText kernel;
   NumberArray places{
       "taps", "x, y and radius in mm in the plane that faces the camera, 1 / density in mm^2", 4, {}},
@@ -179,7 +179,7 @@ NumberArray of_table(std::string name, std::string comment, const LightTable& ta
 constexpr int exported_columns = 128, exported_lit_rows = 32, exported_shadow_columns = 64,
               exported_shadow_rows = 16;
 
-KernelText pre_integrated_tables(const SumOfGaussians& profile) {
+KernelText pre_integrated_tables(const ScatterProfile& profile) {
   LightTable lit = lit_table(profile, exported_columns, exported_lit_rows);
   for (std::size_t i = 0; i < lit.light.size(); ++i) {
     const double cosine = -1 + 2.0 * static_cast<double>(i % exported_columns) / (exported_columns - 1);
@@ -226,7 +226,7 @@ void check_kernel_taps(std::string_view kernel, std::optional<int> taps) {
                       line ? ", an odd number" : "", *taps);
 }
 
-ExportedKernel export_kernel(std::string_view name, const SumOfGaussians& profile, std::optional<int> taps) {
+ExportedKernel export_kernel(std::string_view name, const ScatterProfile& profile, std::optional<int> taps) {
   check_kernel_taps(name, taps);
   KernelText kernel;
   std::vector<int> widths;

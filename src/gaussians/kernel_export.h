@@ -32,6 +32,6 @@ void check_kernel_taps(std::string_view kernel, std::optional<int> taps);
 
 /// Returns the kernel of the profile. taps: of the kernel, as many as the technique usually has if it is not
 /// given. Throws InputError: an unknown kernel (lists them), or a number of taps that it cannot have.
-ExportedKernel export_kernel(std::string_view kernel, const SumOfGaussians& profile, std::optional<int> taps);
+ExportedKernel export_kernel(std::string_view kernel, const ScatterProfile& profile, std::optional<int> taps);
 
 }  // namespace dermis::gaussians

@@ -21,8 +21,8 @@ constexpr Preset presets[] = {
 
 // [DLE07] in GPU Gems 3 (2007), ch. 14 "Advanced Techniques for Realistic Real-Time Skin Rendering", table
 // 14-1: variance in mm^2, weights of red, green and blue, normalised to white. G(v, r) is that of sum.h.
-SumOfGaussians skin_six() {
-  SumOfGaussians sum;
+ScatterProfile skin_six() {
+  ScatterProfile sum;
   sum.name = "skin";
   sum.terms = {
       {0.0064, {0.233, 0.455, 0.649}}, {0.0484, {0.100, 0.336, 0.344}}, {0.187, {0.118, 0.198, 0.000}},
@@ -37,7 +37,7 @@ std::vector<std::string_view> known_names() {
   return names;
 }
 
-SumOfGaussians known(std::string_view name) {
+ScatterProfile known(std::string_view name) {
   if (name == "skin") return skin_six();
   for (const Preset& preset : presets)
     if (name == preset.name) return parse_json(preset.file, std::string(name));

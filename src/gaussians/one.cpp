@@ -3,14 +3,14 @@
 
 namespace dermis::gaussians {
 
-SumOfGaussians one_gaussian(const SumOfGaussians& sum) {
+ScatterProfile one_gaussian(const ScatterProfile& sum) {
   double moment_mm2 = 0, weight = 0;
   for (const Gaussian& term : sum.terms)
     for (const double w : term.weight) {
       moment_mm2 += w * term.variance_mm2;
       weight += w;
     }
-  SumOfGaussians one = sum;
+  ScatterProfile one = sum;
   one.name += ", one Gaussian";
   one.error_percent = {};
   one.terms = {{.variance_mm2 = moment_mm2 / weight, .weight = {1, 1, 1}}};

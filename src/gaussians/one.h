@@ -11,6 +11,6 @@ namespace dermis::gaussians {
 /// Returns one Gaussian that spreads light as far as the sum does. Its variance is the mean of r^2 / 2 over
 /// the light of all three channels, that is sum_i w_i v_i averaged over them. All weights are 1, so colours
 /// no longer bleed. Keeps total_reflectance and mean free paths of the sum; the error is unknown.
-SumOfGaussians one_gaussian(const SumOfGaussians& sum);
+ScatterProfile one_gaussian(const ScatterProfile& sum);
 
 }  // namespace dermis::gaussians

@@ -71,7 +71,7 @@ Share share_of_ring(double theta, double r_mm, double sigma_mm) {
 
 // share_of(theta, r_mm, sigma_mm): of one Gaussian.
 template <class ShareOf>
-Rgb integrated(const SumOfGaussians& profile, double cosine, double curvature_per_mm,
+Rgb integrated(const ScatterProfile& profile, double cosine, double curvature_per_mm,
                const ShareOf& share_of) {
   const double theta = std::acos(std::clamp(cosine, -1.0, 1.0)), facing = std::max(cosine, 0.0);
   Rgb light{facing, facing, facing};
@@ -92,18 +92,18 @@ Rgb integrated(const SumOfGaussians& profile, double cosine, double curvature_pe
 
 }  // namespace
 
-Rgb lit_arc(const SumOfGaussians& profile, double cosine, double curvature_per_mm) {
+Rgb lit_arc(const ScatterProfile& profile, double cosine, double curvature_per_mm) {
   const double widest_mm = std::sqrt(profile.max_variance_mm2());
   return integrated(profile, cosine, curvature_per_mm, [&](double theta, double r_mm, double sigma_mm) {
     return share_of_arc(theta, r_mm, sigma_mm, std::min(pi * r_mm, 4 * widest_mm));
   });
 }
 
-Rgb lit_ring(const SumOfGaussians& profile, double cosine, double curvature_per_mm) {
+Rgb lit_ring(const ScatterProfile& profile, double cosine, double curvature_per_mm) {
   return integrated(profile, cosine, curvature_per_mm, share_of_ring);
 }
 
-Rgb lit_edge(const SumOfGaussians& profile, double x_mm) {
+Rgb lit_edge(const ScatterProfile& profile, double x_mm) {
   Rgb light{}, whole{};
   for (const Gaussian& term : profile.terms)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -124,9 +124,9 @@ double edge_in_disc(double lit_share) {
   return (low + high) / 2;
 }
 
-double shadow_filter_mm(const SumOfGaussians& profile) { return 4 * std::sqrt(profile.max_variance_mm2()); }
+double shadow_filter_mm(const ScatterProfile& profile) { return 4 * std::sqrt(profile.max_variance_mm2()); }
 
-LightTable lit_table(const SumOfGaussians& profile, int columns, int rows, bool ring) {
+LightTable lit_table(const ScatterProfile& profile, int columns, int rows, bool ring) {
   LightTable table{.columns = columns, .rows = rows, .light = {}};
   table.light.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   parallel_for(static_cast<std::size_t>(rows), [&](std::size_t row) {
@@ -144,7 +144,7 @@ LightTable lit_table(const SumOfGaussians& profile, int columns, int rows, bool 
 namespace {
 
 // lit_edge(), but 0 and 1 from the border of the filter on, beyond which no edge is known.
-Rgb lit_within_filter(const SumOfGaussians& profile, double x_mm) {
+Rgb lit_within_filter(const ScatterProfile& profile, double x_mm) {
   const double border_mm = shadow_filter_mm(profile) / 2;
   const Rgb least = lit_edge(profile, -border_mm), most = lit_edge(profile, border_mm);
   Rgb light = lit_edge(profile, x_mm);
@@ -155,7 +155,7 @@ Rgb lit_within_filter(const SumOfGaussians& profile, double x_mm) {
 
 }  // namespace
 
-LightTable edge_table(const SumOfGaussians& profile, int columns) {
+LightTable edge_table(const ScatterProfile& profile, int columns) {
   LightTable table{.columns = columns, .rows = 1, .light = {}};
   for (int i = 0; i < columns; ++i) {
     const double t = -1 + 2.0 * i / (columns - 1);
@@ -164,7 +164,7 @@ LightTable edge_table(const SumOfGaussians& profile, int columns) {
   return table;
 }
 
-LightTable shadow_table(const SumOfGaussians& profile, int columns, int rows) {
+LightTable shadow_table(const ScatterProfile& profile, int columns, int rows) {
   LightTable table{.columns = columns, .rows = rows, .light = {}};
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {

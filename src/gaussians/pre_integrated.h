@@ -18,14 +18,14 @@ namespace dermis::gaussians {
 /// [FW14]. It goes up to half the circle and four sigma of the widest Gaussian, and is divided by its
 /// integral. Of a flat plane (curvature 0) it is the cosine where that is positive. cosine: -1..1;
 /// curvature_per_mm >= 0.
-Rgb lit_arc(const SumOfGaussians& profile, double cosine, double curvature_per_mm);
+Rgb lit_arc(const ScatterProfile& profile, double cosine, double curvature_per_mm);
 
 /// The same as published in [Pen11]: the profile itself over the chord of the ring, integrated along the
 /// ring. Far too dark beside the terminator: it takes a profile of two dimensions for one of one.
-Rgb lit_ring(const SumOfGaussians& profile, double cosine, double curvature_per_mm);
+Rgb lit_ring(const ScatterProfile& profile, double cosine, double curvature_per_mm);
 
 /// Returns the light at x mm inside a lit half-plane (negative: outside), the peak 1.
-Rgb lit_edge(const SumOfGaussians& profile, double x_mm);
+Rgb lit_edge(const ScatterProfile& profile, double x_mm);
 
 /// Returns the distance of a straight edge of light from the middle of a disc, in radii of the disc: -1..1,
 /// positive where more than half is lit. The disc is lit in this share of its area, 0..1.
@@ -33,7 +33,7 @@ double edge_in_disc(double lit_share);
 
 /// Returns the width of the filter of shadows of a profile, four sigma of its widest Gaussian: 10.9 mm for
 /// the published six. A wider one finds more shadows that are none, in hollows of the skin.
-double shadow_filter_mm(const SumOfGaussians& profile);
+double shadow_filter_mm(const ScatterProfile& profile);
 
 /// A table of two variables, row by row.
 struct LightTable {
@@ -46,15 +46,15 @@ inline constexpr double most_curvature_per_mm = 1;  ///< of the last row: a ball
 
 /// Returns what lit_arc() (or lit_ring()) has more than the positive cosine. Column i of n: the cosine
 /// -1 + 2 i / (n - 1). Row j of m: the curvature most_curvature_per_mm (j / (m - 1))^2. Both sides > 1.
-LightTable lit_table(const SumOfGaussians& profile, int columns, int rows, bool ring = false);
+LightTable lit_table(const ScatterProfile& profile, int columns, int rows, bool ring = false);
 
 /// Returns lit_edge(), stretched to end at 0 and 1, one row. Column i of n: with t = -1 + 2 i / (n - 1), x is
 /// t |t| times half of shadow_filter_mm().
-LightTable edge_table(const SumOfGaussians& profile, int columns);
+LightTable edge_table(const ScatterProfile& profile, int columns);
 
 /// Returns the light beside the edge of a shadow, for who filters shadows over a disc of diameter
 /// shadow_filter_mm() that faces the light. Column i of n: the filtered shadow i / (n - 1), 1 lit. Row j of
 /// m: the cosine of the surface and the light, (j + 1) / m.
-LightTable shadow_table(const SumOfGaussians& profile, int columns, int rows);
+LightTable shadow_table(const ScatterProfile& profile, int columns, int rows);
 
 }  // namespace dermis::gaussians

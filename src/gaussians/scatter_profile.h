@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The profile of the public interface and the sum of Gaussians that the house computes with.
+// Profiles of callers.
 #pragma once
 
 #include <string>
@@ -9,11 +9,9 @@
 
 namespace dermis::gaussians {
 
-/// Returns the profile as a sum. Throws InputError, whose place is `where` (else "profile 'NAME'"), for all
+/// Returns the profile as the house computes with it: with the shape of its medium, and without what
+/// profile_of_...() has added. Throws InputError, whose place is `where` (else "profile 'NAME'"), for all
 /// that check_profile() of dermis/profile.h refuses.
-SumOfGaussians checked_sum(const ScatterProfile& profile, const std::string& where = {});
-
-/// Returns the sum as a profile: without a table of its model, and with model_total = total_reflectance.
-ScatterProfile scatter_profile(const SumOfGaussians& sum);
+ScatterProfile checked_profile(const ScatterProfile& profile, const std::string& where = {});
 
 }  // namespace dermis::gaussians

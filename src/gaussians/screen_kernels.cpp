@@ -63,7 +63,7 @@ std::size_t widest_channel(const Rgb& variance_mm2) {
                                   variance_mm2.begin());
 }
 
-Rgb variances_mm2(const SumOfGaussians& profile) {
+Rgb variances_mm2(const ScatterProfile& profile) {
   Rgb variance{};
   for (std::size_t c = 0; c < 3; ++c) {
     double sum = 0, weight = 0;
@@ -129,11 +129,11 @@ std::vector<LineTap> published_line_kernel(int taps) {
   return kernel;
 }
 
-double line_kernel_reach_mm(const SumOfGaussians& profile) {
+double line_kernel_reach_mm(const ScatterProfile& profile) {
   return 7.5 * std::sqrt(profile.max_variance_mm2() / 7.41);
 }
 
-std::vector<LineTap> line_spread_kernel(const SumOfGaussians& profile, int taps) {
+std::vector<LineTap> line_spread_kernel(const ScatterProfile& profile, int taps) {
   const std::vector<double> at = offsets(taps, line_kernel_reach_mm(profile));
   constexpr double far = std::numeric_limits<double>::infinity();
 
@@ -158,13 +158,13 @@ PartlyBlurred published_skin_gaussians() {
                     {2.00626388153, {0.460007298842, 0, 0.0402864201267}}}};
 }
 
-Rgb burley_distances_mm(const SumOfGaussians& profile) {
+Rgb burley_distances_mm(const ScatterProfile& profile) {
   Rgb d = variances_mm2(profile);
   for (double& distance : d) distance = std::sqrt(distance / 7);
   return d;
 }
 
-double radius_of_share_mm(const SumOfGaussians& profile, std::size_t channel, double share) {
+double radius_of_share_mm(const ScatterProfile& profile, std::size_t channel, double share) {
   double all = 0;
   for (const Gaussian& term : profile.terms) all += term.weight[channel];
   const auto within = [&](double r) {
@@ -176,9 +176,9 @@ double radius_of_share_mm(const SumOfGaussians& profile, std::size_t channel, do
   return inverse(within, share, std::sqrt(profile.max_variance_mm2()));
 }
 
-std::size_t widest_channel(const SumOfGaussians& profile) { return widest_channel(variances_mm2(profile)); }
+std::size_t widest_channel(const ScatterProfile& profile) { return widest_channel(variances_mm2(profile)); }
 
-double disc_reach_mm(const SumOfGaussians& profile, double share) {
+double disc_reach_mm(const ScatterProfile& profile, double share) {
   return radius_of_share_mm(profile, widest_channel(profile), share);
 }
 
@@ -187,7 +187,7 @@ double burley_radius_of_share(double share) {
   return inverse([](double r) { return -std::expm1(-r) / 4 - 3 * std::expm1(-r / 3) / 4; }, share, 1);
 }
 
-std::vector<DiscTap> disc_taps(const SumOfGaussians& profile, int taps) {
+std::vector<DiscTap> disc_taps(const ScatterProfile& profile, int taps) {
   const std::size_t widest = widest_channel(profile);
   double all = 0;
   for (const Gaussian& term : profile.terms) all += term.weight[widest];

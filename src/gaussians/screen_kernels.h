@@ -34,11 +34,11 @@ std::vector<LineTap> published_line_kernel(int taps);
 /// same spacing rule; offsets in mm. A weight is the integral over the cell of its tap, to infinity for the
 /// outer two. Straight edges along the axes come out exactly, but for the steps between taps. Weights of a
 /// channel are divided by their sum; a channel without weight keeps its light in the middle.
-std::vector<LineTap> line_spread_kernel(const SumOfGaussians& profile, int taps);
+std::vector<LineTap> line_spread_kernel(const ScatterProfile& profile, int taps);
 
 /// Returns how far that kernel reaches, mm: 7.5 mm for the published six Gaussians, and in proportion to the
 /// widest Gaussian (2.755 sigma) for others.
-double line_kernel_reach_mm(const SumOfGaussians& profile);
+double line_kernel_reach_mm(const ScatterProfile& profile);
 
 /// A profile as a part that is not blurred, and Gaussians with weights that sum to 1 beside it.
 struct PartlyBlurred {
@@ -52,7 +52,7 @@ PartlyBlurred published_skin_gaussians();
 
 /// A profile as [CB15] has it: R(r) = (e^(-r/d) + e^(-r/3d)) / (8 pi d r), d in mm per channel, with the
 /// variance of this sum of Gaussians: 7 d^2 = sum_i w_i v_i.
-Rgb burley_distances_mm(const SumOfGaussians& profile);
+Rgb burley_distances_mm(const ScatterProfile& profile);
 
 /// A tap of a disc.
 struct DiscTap {
@@ -64,16 +64,16 @@ struct DiscTap {
 /// Returns `taps` (>= 1) taps distributed by the channel that spreads widest. Radii are the inverse of its
 /// share of light within a radius at (i + 1/2) / taps, angles turn by the golden angle. The same for every
 /// pixel and every frame.
-std::vector<DiscTap> disc_taps(const SumOfGaussians& profile, int taps);
+std::vector<DiscTap> disc_taps(const ScatterProfile& profile, int taps);
 /// The same for normalised diffusion.
 std::vector<DiscTap> burley_disc_taps(const Rgb& distances_mm, int taps);
 
 /// Returns the radius that holds this share (0 <= share < 1) of the light of a channel, mm.
-double radius_of_share_mm(const SumOfGaussians& profile, std::size_t channel, double share);
+double radius_of_share_mm(const ScatterProfile& profile, std::size_t channel, double share);
 /// Returns the channel that spreads widest.
-std::size_t widest_channel(const SumOfGaussians& profile);
+std::size_t widest_channel(const ScatterProfile& profile);
 /// Returns the radius that holds this share of its light.
-double disc_reach_mm(const SumOfGaussians& profile, double share);
+double disc_reach_mm(const ScatterProfile& profile, double share);
 /// The same for normalised diffusion at d = 1 mm: radii are in proportion to d.
 double burley_radius_of_share(double share);
 

@@ -65,7 +65,7 @@ ShapeLaws read_laws(const json::Value& json, ShapeLaws laws) {
 
 }  // namespace
 
-void read_shape(const json::Value& profile, SumOfGaussians& sum) {
+void read_shape(const json::Value& profile, ScatterProfile& sum) {
   const auto medium = profile.find("medium"), shape = profile.find("shape");
   if (shape && !medium) shape->fail("needs the medium that it is of: \"medium\"");
   if (!medium) return;
@@ -74,7 +74,7 @@ void read_shape(const json::Value& profile, SumOfGaussians& sum) {
   if (shape) sum.shape = read_laws(*shape, *sum.shape);
 }
 
-void write_shape(nlohmann::ordered_json& profile, const SumOfGaussians& sum) {
+void write_shape(nlohmann::ordered_json& profile, const ScatterProfile& sum) {
   if (!sum.medium) return;
   profile["medium"] = {{"sigma_a_per_mm", sum.medium->sigma_a_per_mm},
                        {"sigma_s_per_mm", sum.medium->sigma_s_per_mm},

@@ -14,10 +14,10 @@ namespace dermis::gaussians {
 
 /// Reads "medium" and "shape" of a profile, if they are there; a medium without laws gets its own. Throws
 /// InputError: a key that is not known or missing, a value out of range, laws without a medium.
-void read_shape(const json::Value& profile, SumOfGaussians& sum);
+void read_shape(const json::Value& profile, ScatterProfile& sum);
 
 /// Adds them, if the sum has them.
-void write_shape(nlohmann::ordered_json& profile, const SumOfGaussians& sum);
+void write_shape(nlohmann::ordered_json& profile, const ScatterProfile& sum);
 
 /// Throws InputError, whose place is `where`, for laws that no picture can be made with.
 void check_shape(const ShapeLaws& shape, const std::string& where);

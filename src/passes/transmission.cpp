@@ -34,11 +34,11 @@ std::vector<std::size_t> mapped_groups(std::size_t terms, std::size_t first_mapp
   return first;
 }
 
-double gains_end_mm(const gaussians::SumOfGaussians& profile) {
+double gains_end_mm(const ScatterProfile& profile) {
   return std::sqrt(2 * std::log(1000.0) * profile.max_variance_mm2());
 }
 
-std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
+std::vector<gaussians::Rgb> slab_gains(const ScatterProfile& profile,
                                        std::span<const double> thicknesses_mm) {
   std::vector<gaussians::Rgb> gains(thicknesses_mm.size(), gaussians::Rgb{1, 1, 1});
   if (!profile.shape || !profile.medium) return gains;
@@ -50,7 +50,7 @@ std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
     for (std::size_t i = 0; i < gains.size(); ++i) {
       const double d = thicknesses_mm[i];
       double gaussian = 0;
-      for (const gaussians::Gaussian& term : profile.terms)
+      for (const Gaussian& term : profile.terms)
         gaussian += term.weight[c] * std::exp(-d * d / (2 * term.variance_mm2));
       const double front = std::max(profile::slab_front(*profile.shape, c, d), 0.1);
       gains[i][c] = std::clamp(backs[i] / std::max(gaussian * front, 1e-9), 0.0, most);
@@ -62,9 +62,9 @@ std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
 namespace {
 
 // Returns those of the terms from `begin` on. first: the first term of each group, counted from there.
-io::TransmissionIo constants_of(const gaussians::SumOfGaussians& profile, double mm_per_unit,
-                                std::size_t begin, std::vector<std::size_t> first) {
-  const std::span<const gaussians::Gaussian> all = std::span(profile.terms).subspan(begin);
+io::TransmissionIo constants_of(const ScatterProfile& profile, double mm_per_unit, std::size_t begin,
+                                std::vector<std::size_t> first) {
+  const std::span<const Gaussian> all = std::span(profile.terms).subspan(begin);
   const std::size_t terms = all.size();
   DERMIS_ASSERT_LE(terms, std::size_t{MOST_TERMS});
   io::TransmissionIo out{};
@@ -113,12 +113,12 @@ io::TransmissionIo constants_of(const gaussians::SumOfGaussians& profile, double
 
 }  // namespace
 
-io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+io::TransmissionIo transmission_io(const ScatterProfile& profile, double mm_per_unit,
                                    std::size_t first_mapped) {
   return constants_of(profile, mm_per_unit, 0, transmission_groups(profile.terms.size(), first_mapped));
 }
 
-io::TransmissionIo mapped_transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+io::TransmissionIo mapped_transmission_io(const ScatterProfile& profile, double mm_per_unit,
                                           std::size_t first_mapped) {
   return constants_of(profile, mm_per_unit, first_mapped, mapped_groups(profile.terms.size(), first_mapped));
 }

@@ -33,29 +33,28 @@ std::vector<std::size_t> mapped_groups(std::size_t terms, std::size_t first_mapp
 
 /// Returns the thickness of the last gain: the widest Gaussian holds less than a thousandth of its light
 /// there.
-double gains_end_mm(const gaussians::SumOfGaussians& profile);
+double gains_end_mm(const ScatterProfile& profile);
 /// Returns, for each thickness, the light through a slab of the profile's medium (profile::slab_backs()) over
 /// that of the Gaussians, at most 12. It is also divided by the light that the slab's front returns, because
 /// shading multiplies all light by that. 1 of a profile without ShapeLaws.
-std::vector<gaussians::Rgb> slab_gains(const gaussians::SumOfGaussians& profile,
-                                       std::span<const double> thicknesses_mm);
+std::vector<gaussians::Rgb> slab_gains(const ScatterProfile& profile, std::span<const double> thicknesses_mm);
 
 /// Returns the constants of a profile. share[group * MOST_TERMS + i] is the part of T_i that joins at that
 /// group; summed over groups and weighted as in the final sum, each T_i counts w_i. A channel without weight
 /// in a group joins at the next. mm_per_unit, first_mapped: as ThroughMesh.
-io::TransmissionIo transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+io::TransmissionIo transmission_io(const ScatterProfile& profile, double mm_per_unit,
                                    std::size_t first_mapped = 0);
 /// Returns those of the terms that maps hold: arrays begin with the first of these, and gains stay those of
 /// the whole profile.
-io::TransmissionIo mapped_transmission_io(const gaussians::SumOfGaussians& profile, double mm_per_unit,
+io::TransmissionIo mapped_transmission_io(const ScatterProfile& profile, double mm_per_unit,
                                           std::size_t first_mapped);
 
 /// A skin mesh whose light also comes through the body.
 struct ThroughMesh {
-  std::uint32_t mesh = 0;             ///< among the skin meshes of the plan
-  gaussians::SumOfGaussians profile;  ///< in mm of the asset
-  double mm_per_unit = 1000;          ///< mm of the asset per metre of the world
-  std::uint32_t first_mapped = 0;     ///< terms before it are lit at the pixel
+  std::uint32_t mesh = 0;          ///< among the skin meshes of the plan
+  ScatterProfile profile;          ///< in mm of the asset
+  double mm_per_unit = 1000;       ///< mm of the asset per metre of the world
+  std::uint32_t first_mapped = 0;  ///< terms before it are lit at the pixel
   std::uint32_t mapped_terms() const {
     return static_cast<std::uint32_t>(profile.terms.size()) - first_mapped;
   }

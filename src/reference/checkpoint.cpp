@@ -126,9 +126,9 @@ std::uint64_t fingerprint(const scene::Scene& scene, const Job& job, std::uint64
   add_setup(h, job.setup);
   h.add(job.model);
   h.add(seed);
-  for (const gaussians::SumOfGaussians& profile : job.profiles) {
+  for (const ScatterProfile& profile : job.profiles) {
     h.word(profile.terms.size());
-    for (const gaussians::Gaussian& g : profile.terms) {
+    for (const Gaussian& g : profile.terms) {
       h.add(g.variance_mm2);
       for (const double w : g.weight) h.add(w);
     }

@@ -21,17 +21,16 @@ constexpr int strata = 4;
 constexpr std::array axis_chance{1.0, 0.5, 0.5};
 
 /// With these probabilities the sum of the channels' variances is smallest, if the terms hardly overlap.
-double importance(const gaussians::Gaussian& g) { return std::hypot(g.weight[0], g.weight[1], g.weight[2]); }
+double importance(const Gaussian& g) { return std::hypot(g.weight[0], g.weight[1], g.weight[2]); }
 
 }  // namespace
 
-Diffusion::Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit)
-    : mm_per_unit_(mm_per_unit) {
+Diffusion::Diffusion(const ScatterProfile& profile, double mm_per_unit) : mm_per_unit_(mm_per_unit) {
   double all = 0;
-  for (const gaussians::Gaussian& g : profile.terms)
+  for (const Gaussian& g : profile.terms)
     if (g.variance_mm2 > 0) all += importance(g);
 
-  for (const gaussians::Gaussian& g : profile.terms) {
+  for (const Gaussian& g : profile.terms) {
     if (importance(g) == 0) continue;
     if (g.variance_mm2 == 0) {
       unscattered_ += glm::dvec3(g.weight[0], g.weight[1], g.weight[2]);

@@ -21,7 +21,7 @@ namespace dermis::reference {
 class Diffusion {
  public:
   /// Takes mm_per_unit of the scene.
-  Diffusion(const gaussians::SumOfGaussians& profile, double mm_per_unit);
+  Diffusion(const ScatterProfile& profile, double mm_per_unit);
 
   /// Returns R(r) per channel, 1/mm^2, without the term that has no width.
   glm::dvec3 profile(double radius_mm) const;

@@ -32,7 +32,7 @@ struct Job {
   ReferenceModel model = ReferenceModel::bssrdf;
   /// bssrdf, gaussians: one per material of the scene; empty for materials that are not skin. Of gaussians,
   /// the first term may have a variance of 0.
-  std::vector<gaussians::SumOfGaussians> profiles;
+  std::vector<ScatterProfile> profiles;
   optics::RgbMedium medium{};  ///< volume; one g and one eta for all channels
 };
 

@@ -36,14 +36,13 @@ double cylinder_coefficient(int m) {
 
 /// Sum of coefficient times function times what the profile keeps of waves of this number per mm squared.
 template <class Coefficient, class Wave>
-optics::Rgb sum_of_waves(const gaussians::SumOfGaussians& profile, const Coefficient& coefficient,
-                         const Wave& wave) {
+optics::Rgb sum_of_waves(const ScatterProfile& profile, const Coefficient& coefficient, const Wave& wave) {
   optics::Rgb sum{};
   for (int i = 0; i <= most_degree; ++i) {
     const auto [value, k2_per_mm2] = wave(i);
     for (std::size_t c = 0; c < 3; ++c) {
       double kept = 0;
-      for (const gaussians::Gaussian& term : profile.terms)
+      for (const Gaussian& term : profile.terms)
         kept += term.weight[c] * std::exp(-0.5 * term.variance_mm2 * k2_per_mm2);
       sum[c] += coefficient(i) * value * kept;
     }
@@ -53,7 +52,7 @@ optics::Rgb sum_of_waves(const gaussians::SumOfGaussians& profile, const Coeffic
 
 }  // namespace
 
-optics::Rgb blurred(const Body& body, const gaussians::SumOfGaussians& profile, double light_deg) {
+optics::Rgb blurred(const Body& body, const ScatterProfile& profile, double light_deg) {
   const double angle = light_deg * pi / 180, cosine = std::cos(angle), r2 = body.size_mm * body.size_mm;
   switch (body.shape) {
     case Shape::sphere:
@@ -72,7 +71,7 @@ optics::Rgb blurred(const Body& body, const gaussians::SumOfGaussians& profile, 
   }
 }
 
-optics::Rgb shape_factor(const Body& body, const gaussians::SumOfGaussians& profile, double light_deg) {
+optics::Rgb shape_factor(const Body& body, const ScatterProfile& profile, double light_deg) {
   if (!profile.shape || !profile.medium)
     throw input_error(profile.name, "this profile does not say what medium it is of");
 

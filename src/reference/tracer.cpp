@@ -40,8 +40,7 @@ Tracer::Tracer(const scene::Scene& scene, const Job& job, Steps steps)
       medium_(job.medium, scene.mm_per_unit) {
   steps.done();
   if (job.model != ReferenceModel::volume)
-    for (const gaussians::SumOfGaussians& profile : job.profiles)
-      diffusion_.emplace_back(profile, scene.mm_per_unit);
+    for (const ScatterProfile& profile : job.profiles) diffusion_.emplace_back(profile, scene.mm_per_unit);
   if (job.model == ReferenceModel::volume) medium_total_ = diffuse_total(job.medium);
   steps.done();
 }

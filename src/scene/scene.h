@@ -52,7 +52,7 @@ struct SpecularLobe {
 
 /// `extras.dermis` of a skin material; defaults: rho_s 0.18, two lobes.
 struct SkinMaterial {
-  std::optional<gaussians::SumOfGaussians> profile;  ///< none: the default of the command
+  std::optional<ScatterProfile> profile;  ///< none: the default of the command
   /// 0..1, part of the albedo applied before scattering; none: 0.5
   std::optional<float> mix;
   float mix_or_default() const { return mix.value_or(0.5f); }

@@ -79,9 +79,9 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
   return lights;
 }
 
-gaussians::SumOfGaussians choose_profile(const scene::Material& material, const RenderSettings& s,
-                                         const std::optional<gaussians::SumOfGaussians>& of_instance,
-                                         gaussians::LeastVariance least) {
+ScatterProfile choose_profile(const scene::Material& material, const RenderSettings& s,
+                              const std::optional<ScatterProfile>& of_instance,
+                              gaussians::LeastVariance least) {
   if (!s.skin.profile.empty())
     return gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile, least);
   if (of_instance) return *of_instance;

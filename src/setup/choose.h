@@ -22,9 +22,8 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
 
 /// Returns the settings' profile, else the instance's, else the material's, else the published six Gaussians.
 /// `least`: of the settings' profile.
-gaussians::SumOfGaussians choose_profile(
-    const scene::Material& material, const RenderSettings& settings,
-    const std::optional<gaussians::SumOfGaussians>& of_instance = {},
-    gaussians::LeastVariance least = gaussians::LeastVariance::above_zero);
+ScatterProfile choose_profile(const scene::Material& material, const RenderSettings& settings,
+                              const std::optional<ScatterProfile>& of_instance = {},
+                              gaussians::LeastVariance least = gaussians::LeastVariance::above_zero);
 
 }  // namespace dermis::setup

@@ -180,7 +180,7 @@ constexpr std::uint32_t most_stretch_side = 1024;
 double before_close_ups(const techniques::FrameSettings& plan, const techniques::Model& model) {
   double most = std::numeric_limits<double>::infinity();
   for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
-    for (const gaussians::Gaussian& term : plan.skin[mesh].profile.terms) {
+    for (const Gaussian& term : plan.skin[mesh].profile.terms) {
       const double sigma_mm = std::sqrt(term.variance_mm2);
       if (sigma_mm < plan.skin[mesh].wide_mm)
         most = std::min(most, techniques::least_sigma_pixels(plan.skin[mesh], sigma_mm) / sigma_mm);
@@ -248,7 +248,7 @@ void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subject
 // Returns the number of Gaussians of the profile of a part, that without width too.
 int gaussians_of(const techniques::SkinPart& part) {
   const auto has_weight = [](const gaussians::Rgb& weight) { return weight != gaussians::Rgb{}; };
-  const std::vector<gaussians::Gaussian>& terms = part.profile.terms;
+  const std::vector<Gaussian>& terms = part.profile.terms;
   const bool all_leaves = terms.size() == 1 && !has_weight(terms.front().weight);
   return static_cast<int>(all_leaves ? 0 : terms.size()) + (has_weight(part.unscattered) ? 1 : 0);
 }

@@ -28,14 +28,14 @@ constexpr double wide_mm = 1;
 struct ModelKey {
   const Subject* subject = nullptr;
   float scale = 1;
-  std::optional<gaussians::SumOfGaussians> profile;
+  std::optional<ScatterProfile> profile;
   /// An instance in a pose has a metric of its own.
   std::optional<std::size_t> posed{};
 };
 
 // In the millimetres of an asset that is shown at this scale.
-gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double scale) {
-  for (gaussians::Gaussian& term : profile.terms) term.variance_mm2 /= scale * scale;
+ScatterProfile in_asset(ScatterProfile profile, double scale) {
+  for (Gaussian& term : profile.terms) term.variance_mm2 /= scale * scale;
   for (std::size_t c = 0; c < 3; ++c) {
     if (profile.medium) {
       profile.medium->sigma_a_per_mm[c] *= scale;
@@ -52,7 +52,7 @@ gaussians::SumOfGaussians in_asset(gaussians::SumOfGaussians profile, double sca
 }
 
 // Leaves the laws of shape in a profile that is to follow them.
-void choose_shape(gaussians::SumOfGaussians& profile, const RenderSettings& s) {
+void choose_shape(ScatterProfile& profile, const RenderSettings& s) {
   const techniques::Technique& technique = techniques::find_technique(s.technique);
   const bool can_follow = technique.has_light_maps && !technique.as_published;
   if (s.skin.shape_aware == true && can_follow && !profile.shape)
@@ -66,7 +66,7 @@ void choose_shape(gaussians::SumOfGaussians& profile, const RenderSettings& s) {
 
 // Takes the light that leaves where it entered out of the profile. A light map has at least one term.
 void take_unscattered(techniques::SkinPart& part) {
-  std::vector<gaussians::Gaussian>& terms = part.profile.terms;
+  std::vector<Gaussian>& terms = part.profile.terms;
   if (terms.empty() || terms.front().variance_mm2 > 0) return;
   part.unscattered = terms.front().weight;
   terms.erase(terms.begin());
@@ -133,9 +133,9 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
   plan.models.clear();
   // Models that differ in no more than their profile.
   std::map<std::tuple<const Subject*, float, bool, std::size_t>,
-           std::vector<std::pair<std::optional<gaussians::SumOfGaussians>, std::uint32_t>>>
+           std::vector<std::pair<std::optional<ScatterProfile>, std::uint32_t>>>
       known;
-  std::optional<gaussians::SumOfGaussians> for_all;
+  std::optional<ScatterProfile> for_all;
   if (!s.skin.profile.empty())
     for_all = gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile,
                                            gaussians::LeastVariance::zero);

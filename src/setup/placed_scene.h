@@ -51,7 +51,7 @@ struct PlacedAsset {
   std::uint64_t posed_change = 0;           ///< InstanceChanges::rig
   bool visible = true;
   // Instead of those of the materials.
-  std::optional<gaussians::SumOfGaussians> profile;
+  std::optional<ScatterProfile> profile;
   std::optional<float> mix;
   glm::vec3 tint{1};  ///< multiplies the colour of the skin
 };

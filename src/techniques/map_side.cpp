@@ -22,7 +22,7 @@ std::uint32_t side_of(double texels, std::uint32_t most) {
 template <class Wanted>
 double texels_for(const SkinPart& part, const Wanted& wanted) {
   if (!(part.mean_uv_per_mm > 0)) return 0;
-  for (const gaussians::Gaussian& term : part.profile.terms) {
+  for (const Gaussian& term : part.profile.terms) {
     const double sigma_mm = std::sqrt(term.variance_mm2);
     if (wanted(sigma_mm)) return held_sigma_texels / (sigma_mm * part.mean_uv_per_mm);
   }

@@ -51,7 +51,7 @@ float entered_share(const SkinPart& part, const MapDetail& detail) {
 
 std::uint32_t first_mapped(const SkinPart& part, const MapDetail& finest) {
   std::uint32_t first = 0;
-  for (const gaussians::Gaussian& term : part.profile.terms) {
+  for (const Gaussian& term : part.profile.terms) {
     const double sigma_mm = std::sqrt(term.variance_mm2);
     const bool wide = sigma_mm >= part.wide_mm;
     const MapDetail detail{finest.side,
@@ -66,7 +66,7 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
   if (!settings.mixes()) return terms;
 
   const SkinPart& part = settings.skin[mesh];
-  const std::span<const gaussians::Gaussian> mapped = part.mapped();
+  const std::span<const Gaussian> mapped = part.mapped();
   for (std::size_t i = 0; i < mapped.size(); ++i) {
     terms.shares[i] = mapped_share(part, std::sqrt(mapped[i].variance_mm2), detail);
     if (terms.shares[i] == 0) terms.first_read = static_cast<std::uint32_t>(i) + 1;

@@ -30,7 +30,7 @@ namespace dermis::techniques {
 /// is s times narrower there. Texels per mm of a map are uv per mm (texture coordinates, 0..1) times its
 /// side.
 struct SkinPart {
-  gaussians::SumOfGaussians profile;
+  ScatterProfile profile;
   /// Light that leaves where it entered: the weight of a Gaussian of variance 0, which `profile` lacks. If
   /// all light does, `profile` has one Gaussian without weight.
   gaussians::Rgb unscattered{};
@@ -42,9 +42,7 @@ struct SkinPart {
   /// Some head is so far away that pixels read the light before any blur in place of the terms before
   /// mapped(): entered_share() of mapped_terms.h.
   bool reads_entered = false;
-  std::span<const gaussians::Gaussian> mapped() const {
-    return std::span(profile.terms).subspan(first_mapped);
-  }
+  std::span<const Gaussian> mapped() const { return std::span(profile.terms).subspan(first_mapped); }
   std::uint32_t mapped_count() const {
     return static_cast<std::uint32_t>(profile.terms.size()) - first_mapped;
   }

@@ -41,9 +41,46 @@ std::optional<std::string> folder_at(std::string_view path, int depth) {
   return std::string(path.substr(begin, end - begin));
 }
 
-std::optional<std::string> room_of(std::string_view path) {
-  if (!path.starts_with("src/")) return std::nullopt;
-  return folder_at(path, 1);
+/// Folders of src/, such as "src/base/core", that are rooms: they have a CMakeLists.txt. A folder that has
+/// none, with no room in it, is a room by its first name.
+class Plan {
+ public:
+  explicit Plan(const std::vector<SourceFile>& tree) {
+    for (const SourceFile& file : tree)
+      if (file.path.starts_with("src/") && file.path.ends_with("/CMakeLists.txt"))
+        folders_.insert(fs::path(file.path).parent_path().generic_string());
+  }
+
+  /// "src/render/gpu/device.h" -> "src/render/gpu"; nothing outside src/.
+  std::optional<std::string> folder_of(std::string_view path) const {
+    for (fs::path folder = fs::path(path).parent_path(); folder.has_parent_path();
+         folder = folder.parent_path())
+      if (folders_.contains(folder.generic_string())) return folder.generic_string();
+    const auto first = path.starts_with("src/") ? folder_at(path, 1) : std::nullopt;
+    return first ? std::optional("src/" + *first) : std::nullopt;
+  }
+  /// "src/render/gpu/device.h" -> "gpu".
+  std::optional<std::string> room_of(std::string_view path) const {
+    const auto folder = folder_of(path);
+    return folder ? std::optional(fs::path(*folder).filename().string()) : std::nullopt;
+  }
+  /// Folders between the room and the file: "light_map/blur" of "src/render/passes/light_map/blur/blur.h".
+  std::string inside(std::string_view path) const {
+    const auto folder = folder_of(path);
+    const std::string parent = fs::path(path).parent_path().generic_string();
+    return !folder || parent.size() <= folder->size() ? "" : parent.substr(folder->size() + 1);
+  }
+
+ private:
+  std::set<std::string> folders_;
+};
+
+/// Folders of passes, "blur" or "light_map/blur", hold a pass if no other lies in them; else files that
+/// passes share.
+bool is_a_pass(const std::string& inside) {
+  static const std::set<std::string> stages{"asset",  "pose",   "light_map", "scatter",
+                                            "pixels", "screen", "finish"};
+  return !inside.empty() && !stages.contains(inside);
 }
 
 /// What stands between the quotes of an #include line.
@@ -60,44 +97,48 @@ std::optional<std::string> quoted_include(std::string_view line) {
 }
 
 /// The file of the tree that an include means: beside the file, in src/ or in include/. Unknown ones
-/// (libraries, generated files) are judged by their first folder when that is a room.
+/// (libraries, generated files) are judged by their folder when that is a room.
 std::string resolve(const SourceFile& from, const std::string& include, const std::set<std::string>& paths,
-                    const Rules& rules) {
+                    const Rules& rules, const Plan& plan) {
   const std::string beside =
       (fs::path(from.path).parent_path() / include).lexically_normal().generic_string();
   for (const std::string& candidate : {beside, "src/" + include, "include/" + include}) {
     if (paths.contains(candidate)) return candidate;
   }
-  const auto first = folder_at(include, 0);
-  return first && rules.contains(*first) ? "src/" + include : include;
+  const auto room = plan.room_of("src/" + include);
+  return room && rules.contains(*room) ? "src/" + include : include;
 }
 
-/// The papers' technique stands alone: it shares no pass but what counts, and the list alone knows it.
-std::string judge_published(const std::string& from, const std::string& to) {
-  const std::string_view own = "src/techniques/published/";
-  const bool of_a_pass = to.starts_with("src/passes/") && folder_at(to, 2) && folder_at(to, 2) != "count",
-             of_another = to.starts_with("src/techniques/") && folder_at(to, 2) && !to.starts_with(own);
-  if (from.starts_with(own)) {
+/// The papers' technique stands alone: it shares no pass but `count`, and the list alone knows it.
+std::string judge_published(const SourceFile& file, const std::string& target, const Plan& plan) {
+  const auto of_published = [&](const std::string& path) {
+    return plan.room_of(path) == "techniques" && plan.inside(path) == "published";
+  };
+  const bool of_a_pass = plan.room_of(target) == "passes" && is_a_pass(plan.inside(target)) &&
+                         !plan.inside(target).ends_with("count"),
+             of_another = plan.room_of(target) == "techniques" && !plan.inside(target).empty() &&
+                          !of_published(target);
+  if (of_published(file.path)) {
     if (of_a_pass) return "the papers' technique has passes of its own";
     return of_another ? "the papers' technique knows no other" : "";
   }
-  return to.starts_with(own) && from != "src/techniques/all.cpp"
+  return of_published(target) && !file.path.ends_with("techniques/all.cpp")
              ? "the list alone knows the papers' technique"
              : "";
 }
 
-std::string judge_include(const SourceFile& file, const std::string& target, const Rules& rules) {
-  const auto to = room_of(target);
+std::string judge_include(const SourceFile& file, const std::string& target, const Rules& rules,
+                          const Plan& plan) {
+  const auto to = plan.room_of(target);
   if (!to) return {};
-  const auto from = room_of(file.path);
+  const auto from = plan.room_of(file.path);
   if (!from) return "a public header includes a file of src/";
-  if (std::string broken = judge_published(file.path, target); !broken.empty()) return broken;
+  if (std::string broken = judge_published(file, target, plan); !broken.empty()) return broken;
   if (*from == *to) {
-    // What lies in src/passes itself is shared by the passes; a folder there is one pass, and only its own
-    // files may know it.
-    const bool another =
-        *to == "passes" && folder_at(target, 2) && folder_at(file.path, 2) != folder_at(target, 2);
-    return another ? "a pass is included from outside its folder" : "";
+    const std::string pass = plan.inside(target);
+    return *to == "passes" && is_a_pass(pass) && plan.inside(file.path) != pass
+               ? "a pass is included from outside its folder"
+               : "";
   }
   const auto rule = rules.find(*from);
   if (rule == rules.end() || rule->second.contains(*to)) return {};
@@ -192,9 +233,10 @@ std::vector<SourceFile> read_tree(const fs::path& root) {
 }
 
 std::set<std::string> rooms_of(const std::vector<SourceFile>& tree) {
+  const Plan plan(tree);
   std::set<std::string> rooms;
   for (const SourceFile& file : tree) {
-    if (const auto room = room_of(file.path)) rooms.insert(*room);
+    if (const auto room = plan.room_of(file.path)) rooms.insert(*room);
   }
   return rooms;
 }
@@ -252,6 +294,7 @@ std::string dependency_table(const std::vector<Dependencies>& dependencies) {
 }
 
 Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rules) {
+  const Plan plan(tree);
   std::set<std::string> paths;
   for (const SourceFile& file : tree) paths.insert(file.path);
 
@@ -268,7 +311,8 @@ Violations check_includes(const std::vector<SourceFile>& tree, const Rules& rule
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const auto include = quoted_include(file.lines[i]);
       if (!include) continue;
-      const std::string broken = judge_include(file, resolve(file, *include, paths, rules), rules);
+      const std::string broken =
+          judge_include(file, resolve(file, *include, paths, rules, plan), rules, plan);
       if (!broken.empty())
         violations.push_back(fmt::format("{}:{}: \"{}\": {}", file.path, i + 1, *include, broken));
     }
@@ -320,10 +364,11 @@ Violations check_words(const std::vector<SourceFile>& tree) {
 }
 
 Violations check_namespaces(const std::vector<SourceFile>& tree) {
+  const Plan plan(tree);
   const std::set<std::string> rooms = rooms_of(tree);
   Violations violations;
   for (const SourceFile& file : tree) {
-    const auto room = room_of(file.path);
+    const auto room = plan.room_of(file.path);
     // What C++ and GLSL both read opens its namespace, dermis::io, by a macro.
     const bool both_read = room == "shared" || file.path.ends_with("_io.h");
     if (!room || !is_code(file.path) || is_shader(file.path) || both_read) continue;

@@ -50,8 +50,7 @@ ScatterProfile profile_of(const Document& document) {
     if (const auto& profile = document.scene.instance(id).profile) return *profile;
   for (const InstanceId id : ids)
     for (const scene::Material& material : Asset::State::of(document.scene.instance(id).asset)->materials)
-      if (material.skin && material.skin_settings.profile)
-        return gaussians::scatter_profile(*material.skin_settings.profile);
+      if (material.skin && material.skin_settings.profile) return *material.skin_settings.profile;
   return load_profile("skin");
 }
 

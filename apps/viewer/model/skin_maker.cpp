@@ -60,7 +60,7 @@ const cli::Source& medium_of(const MadeSkin& skin) {
 }
 
 cli::Fitted fit_of(const MadeSkin& skin) {
-  return cli::fit(medium_of(skin), static_cast<int>(skin.profile.variances_mm2.size()), true);
+  return cli::fit(medium_of(skin), static_cast<int>(skin.profile.terms.size()), true);
 }
 
 }  // namespace
@@ -114,8 +114,7 @@ MadeSkin make_skin(const SkinSource& source, bool quick, const Hooks& hooks) {
     made.source = open(source, quick);
     // The file that `dermis profile` would write, read back: equal to the bit.
     const cli::Fitted fitted = cli::fit(*made.source, source.options.gaussians, true);
-    made.profile = gaussians::scatter_profile(
-        gaussians::parse_json(cli::profile_json(*made.source, fitted), made.source->name));
+    made.profile = gaussians::parse_json(cli::profile_json(*made.source, fitted), made.source->name);
     made.model = made.source->model;
     made.note = made.source->note;
   }

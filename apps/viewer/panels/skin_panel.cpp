@@ -116,8 +116,7 @@ bool source_rows(SkinSource& skin) {
 
 // A kind that was never used begins with the skin as it is.
 void begin(SkinSource& skin, const Document& now) {
-  if (skin.kind == SkinKind::gaussians && skin.gaussians.variances_mm2.empty())
-    skin.gaussians = profile_of(now);
+  if (skin.kind == SkinKind::gaussians && skin.gaussians.terms.empty()) skin.gaussians = profile_of(now);
   if (skin.kind == SkinKind::coefficients &&
       skin.coefficients.sigma_s_per_mm == std::array<double, 3>{0, 0, 0}) {
     const optics::RgbMedium medium = optics::find_material("skin1")->medium();

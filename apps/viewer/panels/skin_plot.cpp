@@ -86,26 +86,27 @@ double mean(const std::array<double, 3>& v) { return (v[0] + v[1] + v[2]) / 3; }
 
 void keep_normal(ScatterProfile& profile) {
   std::array<double, 3> sums{};
-  for (const auto& weight : profile.weights)
-    for (std::size_t c = 0; c < 3; ++c) sums[c] += weight[c];
-  for (auto& weight : profile.weights)
+  for (const Gaussian& term : profile.terms)
+    for (std::size_t c = 0; c < 3; ++c) sums[c] += term.weight[c];
+  for (Gaussian& term : profile.terms)
     for (std::size_t c = 0; c < 3; ++c)
-      weight[c] = sums[c] > 0 ? weight[c] / sums[c] : 1.0 / static_cast<double>(profile.weights.size());
+      term.weight[c] =
+          sums[c] > 0 ? term.weight[c] / sums[c] : 1.0 / static_cast<double>(profile.terms.size());
 }
 
 void drag_term(ScatterProfile& profile, std::size_t i, double sigma_mm, double factor) {
   // Terms stay in their order, a little apart.
-  const double below = i > 0 ? profile.variances_mm2[i - 1] * 1.02 : 1e-6;
-  const double above = i + 1 < profile.variances_mm2.size() ? profile.variances_mm2[i + 1] / 1.02 : 1e4;
-  if (below < above) profile.variances_mm2[i] = std::clamp(sigma_mm * sigma_mm, below, above);
-  for (double& weight : profile.weights[i]) weight = std::clamp(weight * factor, 1e-6, 1.0);
+  const double below = i > 0 ? profile.terms[i - 1].variance_mm2 * 1.02 : 1e-6;
+  const double above = i + 1 < profile.terms.size() ? profile.terms[i + 1].variance_mm2 / 1.02 : 1e4;
+  if (below < above) profile.terms[i].variance_mm2 = std::clamp(sigma_mm * sigma_mm, below, above);
+  for (double& weight : profile.terms[i].weight) weight = std::clamp(weight * factor, 1e-6, 1.0);
   keep_normal(profile);
 }
 
 bool handles(const Axes& axes, ImDrawList& list, ScatterProfile& profile) {
   bool changed = false;
-  for (std::size_t i = 0; i < profile.variances_mm2.size(); ++i) {
-    const double sigma = std::sqrt(profile.variances_mm2[i]);
+  for (std::size_t i = 0; i < profile.terms.size(); ++i) {
+    const double sigma = std::sqrt(profile.terms[i].variance_mm2);
     const ImVec2 at(axes.x(sigma), axes.y(per_ln_r(sigma, mean(reflectance(profile, sigma)))));
     const float radius = ImGui::GetFontSize() * 0.4f;
     ImGui::SetCursorScreenPos({at.x - radius, at.y - radius});
@@ -113,8 +114,8 @@ bool handles(const Axes& axes, ImDrawList& list, ScatterProfile& profile) {
     ImGui::InvisibleButton("term", {2 * radius, 2 * radius});
     note_place(fmt::format("term {}", i));
     if (ImGui::IsItemHovered() || ImGui::IsItemActive())
-      ImGui::SetTooltip("variance %.4g mm^2, weights %.3f %.3f %.3f", profile.variances_mm2[i],
-                        profile.weights[i][0], profile.weights[i][1], profile.weights[i][2]);
+      ImGui::SetTooltip("variance %.4g mm^2, weights %.3f %.3f %.3f", profile.terms[i].variance_mm2,
+                        profile.terms[i].weight[0], profile.terms[i].weight[1], profile.terms[i].weight[2]);
     const ImVec2 by = ImGui::GetIO().MouseDelta;
     if (ImGui::IsItemActive() && (by.x != 0 || by.y != 0)) {
       drag_term(profile, i, axes.r_mm(at.x + by.x), std::exp(static_cast<double>(-4 * by.y / axes.size.y)));

@@ -46,7 +46,7 @@ int samples_of(const ReferenceSettings& r) {
 /// A profile that dermis made says what it was made of. In older files these are 1/sigma_t' and 1/sigma_tr,
 /// with sigma_tr^2 = 3 sigma_a sigma_t': scattering is then the reduced one, isotropic, and the index the
 /// material's.
-optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta) {
+optics::RgbMedium medium_of(const ScatterProfile& profile, double eta) {
   if (profile.medium) return optics::rgb_medium(*profile.medium);
   optics::RgbMedium medium;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -63,8 +63,7 @@ optics::RgbMedium medium_of(const gaussians::SumOfGaussians& profile, double eta
   return medium;
 }
 
-optics::RgbMedium choose_medium(const std::string& text, const gaussians::SumOfGaussians& profile,
-                                double eta) {
+optics::RgbMedium choose_medium(const std::string& text, const ScatterProfile& profile, double eta) {
   if (text.empty()) return medium_of(profile, eta);
   if (text.find('=') != std::string::npos) return optics::parse_coefficients(text, "medium");
   if (const optics::Material* material = optics::find_material(text)) return material->medium();
@@ -122,9 +121,9 @@ reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scen
   for (const scene::SkinMesh& mesh : skin) {
     // One profile per mesh, that of its first triangle, as the renderer has it.
     const scene::Material& first = scene.materials[static_cast<std::size_t>(mesh.triangle_material.front())];
-    const gaussians::SumOfGaussians profile = setup::choose_profile(first, s, {}, least);
+    const ScatterProfile profile = setup::choose_profile(first, s, {}, least);
     for (const int material : mesh.triangle_material) {
-      gaussians::SumOfGaussians& of = job.profiles[static_cast<std::size_t>(material)];
+      ScatterProfile& of = job.profiles[static_cast<std::size_t>(material)];
       if (of.terms.empty()) of = profile;
     }
 

@@ -163,7 +163,7 @@ class Reader {
 
   std::optional<ScatterProfile> profile_of(const json::Value& json) {
     if (json.is_null()) return {};
-    if (json.is_object()) return gaussians::scatter_profile(gaussians::read_json(json));
+    if (json.is_object()) return gaussians::read_json(json);
     if (!json.is_text()) json.fail("must be a name, a file or an object");
 
     const std::string& name = json.text();
@@ -172,7 +172,7 @@ class Reader {
     const std::vector<std::string_view> names = gaussians::known_names();
     const bool is_name = std::find(names.begin(), names.end(), name) != names.end();
     const std::string source = is_name ? name : path_of(json, folder_).string();
-    const auto read = [&] { return gaussians::scatter_profile(gaussians::from_name_or_file(source)); };
+    const auto read = [&] { return gaussians::from_name_or_file(source); };
     return profiles_.emplace(name, at_place(json, read)).first->second;
   }
 

@@ -76,7 +76,8 @@ class Writer {
     json.update(json_of(instance));
     if (instance.pose) json.update(json_of_pose(*instance.pose, number));
     if (instance.profile)
-      json["profile"] = ordered_json::parse(gaussians::to_json(gaussians::checked_sum(*instance.profile)));
+      json["profile"] =
+          ordered_json::parse(gaussians::to_json(gaussians::checked_profile(*instance.profile)));
     return json;
   }
 

@@ -97,13 +97,13 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
   return steps;
 }
 
-std::vector<BlurStep> blur_steps(std::span<const gaussians::Gaussian> terms, double max_texels_per_mm) {
+std::vector<BlurStep> blur_steps(std::span<const Gaussian> terms, double max_texels_per_mm) {
   std::vector<double> variances;
-  for (const gaussians::Gaussian& term : terms) variances.push_back(term.variance_mm2);
+  for (const Gaussian& term : terms) variances.push_back(term.variance_mm2);
   return blur_steps(variances, max_texels_per_mm);
 }
 
-int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
+int gutter_width(const ScatterProfile& profile, double max_texels_per_mm) {
   const double widest_mm = std::sqrt(profile.max_variance_mm2());
   const double reach = std::ceil(kernel_reach * widest_mm * max_texels_per_mm) + 2;
   return static_cast<int>(std::clamp(reach, 3.0, double{max_gutter_width}));

@@ -66,12 +66,12 @@ struct BlurStep {
 /// that the kernel's taps suffice, and the first is at most kernel_max_sigma texels where the map is densest
 /// (max_texels_per_mm). Adds steps where terms are further apart.
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
-std::vector<BlurStep> blur_steps(std::span<const gaussians::Gaussian> terms, double max_texels_per_mm);
+std::vector<BlurStep> blur_steps(std::span<const Gaussian> terms, double max_texels_per_mm);
 
 inline constexpr int max_gutter_width = 96;  ///< texels
 
 /// Returns the texels beside a seam that a step may read, at most max_gutter_width: also one with which a
 /// chain starts that leaves all terms but the widest out.
-int gutter_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
+int gutter_width(const ScatterProfile& profile, double max_texels_per_mm);
 
 }  // namespace dermis::passes

@@ -23,7 +23,7 @@ io::DiscProfileIo profile_io(const Disc& disc) {
                        .weight = {}};
   DERMIS_ASSERT_LE(disc.profile.terms.size(), std::size_t{MOST_TERMS});
   for (std::size_t i = 0; i < disc.profile.terms.size(); ++i) {
-    const gaussians::Gaussian& term = disc.profile.terms[i];
+    const Gaussian& term = disc.profile.terms[i];
     const glm::dvec3 weight(term.weight[0], term.weight[1], term.weight[2]);
     io.variance_mm2[i] = static_cast<float>(term.variance_mm2);
     io.weight[i] = glm::vec3(weight / (2 * std::numbers::pi * term.variance_mm2));

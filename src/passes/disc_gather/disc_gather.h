@@ -19,7 +19,7 @@ namespace dermis::passes {
 /// The disc of a skin mesh.
 struct Disc {
   std::vector<gaussians::DiscTap> taps;  ///< as many for every mesh
-  gaussians::SumOfGaussians profile;     ///< used unless normalised diffusion is
+  ScatterProfile profile;                ///< used unless normalised diffusion is
   gaussians::Rgb burley_mm{};            ///< d of normalised diffusion, > 0
   double reach_mm = 1;                   ///< the radius that holds 99.7 % of the light
   double mm_per_unit = 1000;             ///< mm of the asset per metre of the world

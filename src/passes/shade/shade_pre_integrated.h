@@ -16,7 +16,7 @@ class ShadePreIntegrated {
  public:
   struct Settings {
     SkinLook look;                            ///< without terms
-    gaussians::SumOfGaussians profile;        ///< in mm of the asset
+    ScatterProfile profile;                   ///< in mm of the asset
     std::array<float, 3> scattered{1, 1, 1};  ///< share of the light that scatters
     bool ring = false;                        ///< gaussians::lit_ring() in place of lit_arc()
     std::uint32_t shadow_taps = 32;           ///< of the filter of shadows

@@ -105,7 +105,7 @@ void check_lobes(const MaterialCheck& check, const std::vector<AssetLobe>& lobes
 }
 
 void check_skin(const MaterialCheck& check, const AssetSkin& skin) {
-  if (skin.profile) gaussians::checked_sum(*skin.profile, check.where() + ": profile");
+  if (skin.profile) gaussians::checked_profile(*skin.profile, check.where() + ": profile");
   if (skin.mix) check.number("mix", *skin.mix, 0, 1);
   check.channel_map("specular", skin.specular);
   check.channel_map("roughness", skin.roughness);

@@ -31,7 +31,7 @@ MapRef map_of(const AssetChannelMap& given) { return map_of(given.map, given.sca
 
 SkinMaterial skin_of(const AssetSkin& given) {
   SkinMaterial skin;
-  if (given.profile) skin.profile = gaussians::checked_sum(*given.profile);
+  if (given.profile) skin.profile = gaussians::checked_profile(*given.profile);
   skin.mix = given.mix;
   skin.specular = map_of(given.specular);
   skin.roughness = map_of(given.roughness);

@@ -46,7 +46,7 @@ MapRef read_channel_map(const Document& document, const Value& value, const MapR
   return map;
 }
 
-gaussians::SumOfGaussians read_profile(const Document& document, const Value& value) {
+ScatterProfile read_profile(const Document& document, const Value& value) {
   if (value.is_object()) return gaussians::read_json(value);
   const std::string& name = value.text();
   const std::vector<std::string_view> known = gaussians::known_names();

@@ -16,7 +16,7 @@ constexpr double reach_share = 0.997;
 
 // Of a profile without width the disc has none either; nothing of its light is blurred.
 bool spreads(const SkinPart& part) {
-  return std::ranges::any_of(part.profile.terms, [](const gaussians::Gaussian& term) {
+  return std::ranges::any_of(part.profile.terms, [](const Gaussian& term) {
     return term.weight[0] > 0 || term.weight[1] > 0 || term.weight[2] > 0;
   });
 }

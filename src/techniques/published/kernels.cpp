@@ -84,7 +84,7 @@ const std::vector<float>& kernel_table() {
   return table;
 }
 
-std::vector<Step> steps_of(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
+std::vector<Step> steps_of(const ScatterProfile& profile, double max_texels_per_mm) {
   std::vector<Step> steps;
   const double first_sigma = max_sigma / max_texels_per_mm;
   double done_mm2 = 0;
@@ -93,7 +93,7 @@ std::vector<Step> steps_of(const gaussians::SumOfGaussians& profile, double max_
     done_mm2 = to_mm2;
   };
 
-  for (const gaussians::Gaussian& term : profile.terms) {
+  for (const Gaussian& term : profile.terms) {
     while (true) {
       // Sigma doubles at most; but below the size of a texel one step suffices, for with a tap spacing of one
       // texel no light can be skipped.
@@ -107,7 +107,7 @@ std::vector<Step> steps_of(const gaussians::SumOfGaussians& profile, double max_
   return steps;
 }
 
-int seam_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm) {
+int seam_width(const ScatterProfile& profile, double max_texels_per_mm) {
   double widest_mm2 = 0;
   for (const Step& step : steps_of(profile, max_texels_per_mm))
     widest_mm2 = std::max(widest_mm2, step.variance_mm2);

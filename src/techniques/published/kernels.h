@@ -23,9 +23,9 @@ struct Step {
 /// ([DLE07] sec. 3.3, G(v1) * G(v2) = G(v1 + v2)). Departure: where terms are so far apart that sigma would
 /// more than double, steps between them are added, or taps would be further apart than the light is smooth.
 /// The first is at most two texels wide where the map is densest.
-std::vector<Step> steps_of(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
+std::vector<Step> steps_of(const ScatterProfile& profile, double max_texels_per_mm);
 
 /// Returns how many texels beside a seam the widest step reads, at most 96.
-int seam_width(const gaussians::SumOfGaussians& profile, double max_texels_per_mm);
+int seam_width(const ScatterProfile& profile, double max_texels_per_mm);
 
 }  // namespace dermis::techniques::papers

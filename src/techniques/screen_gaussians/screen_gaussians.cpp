@@ -29,16 +29,16 @@ gaussians::Rgb share_of_gaussians(const FrameSettings& settings, const SkinPart&
 
 // The steps of the chain of a skin mesh, narrow to wide, with weights that sum to 1.
 std::vector<passes::GaussianStep> gaussian_steps(const FrameSettings& settings, const SkinPart& part) {
-  const std::vector<gaussians::Gaussian> terms = settings.kernel == ScreenKernel::published
-                                                     ? gaussians::published_skin_gaussians().terms
-                                                     : part.profile.terms;
+  const std::vector<Gaussian> terms = settings.kernel == ScreenKernel::published
+                                          ? gaussians::published_skin_gaussians().terms
+                                          : part.profile.terms;
   gaussians::Rgb sum{};
-  for (const gaussians::Gaussian& term : terms)
+  for (const Gaussian& term : terms)
     for (std::size_t c = 0; c < 3; ++c) sum[c] += term.weight[c];
 
   std::vector<passes::GaussianStep> steps;
   double done_mm2 = 0;
-  for (const gaussians::Gaussian& term : terms) {
+  for (const Gaussian& term : terms) {
     passes::GaussianStep step{.variance_mm2 = term.variance_mm2 - done_mm2,
                               .weight = term.weight,
                               .mm_per_unit = part.mm_per_unit,

@@ -16,18 +16,17 @@ using frame::Together;
 
 namespace {
 
-std::vector<std::array<float, 3>> weights(std::span<const gaussians::Gaussian> terms) {
+std::vector<std::array<float, 3>> weights(std::span<const Gaussian> terms) {
   std::vector<std::array<float, 3>> w;
-  for (const gaussians::Gaussian& term : terms)
+  for (const Gaussian& term : terms)
     w.push_back({static_cast<float>(term.weight[0]), static_cast<float>(term.weight[1]),
                  static_cast<float>(term.weight[2])});
   return w;
 }
 
-std::vector<float> sigmas_mm(std::span<const gaussians::Gaussian> terms) {
+std::vector<float> sigmas_mm(std::span<const Gaussian> terms) {
   std::vector<float> sigmas;
-  for (const gaussians::Gaussian& term : terms)
-    sigmas.push_back(static_cast<float>(std::sqrt(term.variance_mm2)));
+  for (const Gaussian& term : terms) sigmas.push_back(static_cast<float>(std::sqrt(term.variance_mm2)));
   return sigmas;
 }
 

@@ -41,14 +41,14 @@ bool scene_file(Bytes json) {
 
 bool profile(Bytes json) {
   return accepts([&] {
-    const gaussians::SumOfGaussians read = gaussians::parse_json(as_text(json), "profile");
+    const ScatterProfile read = gaussians::parse_json(as_text(json), "profile");
 
     // What is written of it reads back to the same text.
     const std::string text = gaussians::to_json(read);
     DERMIS_ASSERT_EQ(gaussians::to_json(gaussians::parse_json(text, "written")), text);
 
     // Weights that need it are normalised to what is accepted as it is.
-    const gaussians::SumOfGaussians normalised = gaussians::parse_json(text, "normalised", true);
+    const ScatterProfile normalised = gaussians::parse_json(text, "normalised", true);
     gaussians::parse_json(gaussians::to_json(normalised), "written");
   });
 }

@@ -102,8 +102,7 @@ bool far_from_border(const Setting& s, const lab::Map& painted, const glm::dvec2
 }
 
 // The sum over the terms against the closed form, in the middle of the map where no border reaches.
-Deviation measure(const Setting& s, const lab::Result& result, const gaussians::SumOfGaussians& sum,
-                  bool averaged) {
+Deviation measure(const Setting& s, const lab::Result& result, const ScatterProfile& sum, bool averaged) {
   Deviation d;
   const int reach = 60;
   int counted = 0;
@@ -131,8 +130,8 @@ Deviation measure(const Setting& s, const lab::Result& result, const gaussians::
   return d;
 }
 
-gaussians::SumOfGaussians first_terms(std::size_t count) {
-  gaussians::SumOfGaussians sum = gaussians::skin_six();
+ScatterProfile first_terms(std::size_t count) {
+  ScatterProfile sum = gaussians::skin_six();
   sum.terms.resize(count);
   for (std::size_t c = 0; c < 3; ++c) {
     double total = 0;
@@ -142,11 +141,11 @@ gaussians::SumOfGaussians first_terms(std::size_t count) {
   return sum;
 }
 
-gaussians::SumOfGaussians one_term(double variance_mm2) {
+ScatterProfile one_term(double variance_mm2) {
   return {.name = "one", .terms = {{.variance_mm2 = variance_mm2, .weight = {1, 1, 1}}}};
 }
 
-void set_sum(lab::Experiment& e, const gaussians::SumOfGaussians& sum) {
+void set_sum(lab::Experiment& e, const ScatterProfile& sum) {
   for (const auto& term : sum.terms) e.variances_mm2.push_back(term.variance_mm2);
 }
 
@@ -155,7 +154,7 @@ class KnifeEdge : public testing::Test {
   void SetUp() override {
     if (!lab::available()) GTEST_SKIP() << "no Vulkan device";
   }
-  void expect_edge(const Case& c, const gaussians::SumOfGaussians& sum, double bound, bool averaged,
+  void expect_edge(const Case& c, const ScatterProfile& sum, double bound, bool averaged,
                    const std::string& what) {
     Setting s = make_setting(c);
     set_sum(s.experiment, sum);
@@ -259,7 +258,7 @@ TEST_F(KnifeEdge, FollowsAPlaneThatAMorphStretches) {
 TEST_F(KnifeEdge, MistakesAreSeen) {
   const auto worst = [](const Case& c, auto&& spoil) {
     Setting s = make_setting(c);
-    const gaussians::SumOfGaussians sum = one_term(1.0);
+    const ScatterProfile sum = one_term(1.0);
     set_sum(s.experiment, sum);
     spoil(s.experiment);
     return measure(s, lab::run(s.experiment), sum, false).worst[0];

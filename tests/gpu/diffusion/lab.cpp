@@ -154,8 +154,8 @@ struct Moved {
 
 using passes::Gutters;
 
-gaussians::SumOfGaussians profile_of(const Experiment& e) {
-  gaussians::SumOfGaussians profile;
+ScatterProfile profile_of(const Experiment& e) {
+  ScatterProfile profile;
   for (const double v : e.variances_mm2) profile.terms.push_back({.variance_mm2 = v, .weight = {}});
   return profile;
 }
@@ -179,7 +179,7 @@ Result run(const Experiment& e) {
   if (e.drop_shear)
     for (glm::vec3& g : skin[0].metric) g.y = 0;
 
-  const gaussians::SumOfGaussians profile = profile_of(e);
+  const ScatterProfile profile = profile_of(e);
   passes::GpuScene gpu_scene(bench()->library, e.scene, skin);
   const passes::GpuLook look = gpu_scene.make_look(bench()->device, {});
   if (e.gutters)

@@ -108,8 +108,7 @@ std::size_t differing(const Picture& a, const Picture& b, const std::vector<std:
 ScatterProfile profile_of(double variance_mm2) {
   return {.name = "made up",
           .model = "none",
-          .variances_mm2 = {variance_mm2 / 8, variance_mm2},
-          .weights = {{0.4, 0.5, 0.6}, {0.6, 0.5, 0.4}},
+          .terms = {{variance_mm2 / 8, {0.4, 0.5, 0.6}}, {variance_mm2, {0.6, 0.5, 0.4}}},
           .total_reflectance = {0.7, 0.6, 0.5}};
 }
 

@@ -42,7 +42,7 @@ std::array<Row, 3> of_chain(int taps, double pixels_per_mm) {
   std::array<Row, 3> sums{Row(plane_width), Row(plane_width), Row(plane_width)};
   Row row = lit_half();
   double done_mm2 = 0;
-  for (const gaussians::Gaussian& term : gaussians::skin_six().terms) {
+  for (const Gaussian& term : gaussians::skin_six().terms) {
     const double sigma = std::sqrt(term.variance_mm2 - done_mm2) * pixels_per_mm, radius = taps / 2;
     const int spacing = std::max(1, static_cast<int>(std::ceil(sigma * 3 / radius)));
     row = blurred_by(passes::discrete_gaussian(sigma / spacing, taps / 2), spacing, row);
@@ -119,7 +119,7 @@ TEST(ScreenGaussians, AreThePublishedOnesOnAFacingPlane) {
   for (std::size_t c = 0; c < 3; ++c)
     for (double& light : sums[c]) light *= skin.unblurred[c];
   double done_mm2 = 0;
-  for (const gaussians::Gaussian& term : skin.terms) {
+  for (const Gaussian& term : skin.terms) {
     const double sigma = std::sqrt(term.variance_mm2 - done_mm2) * pixels_per_mm;
     Row next(row.size());
     for (int x = 0; x < plane_width; ++x)

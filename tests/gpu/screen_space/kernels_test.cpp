@@ -114,7 +114,7 @@ std::array<double, 3> of_disc(int x, const std::vector<gaussians::DiscTap>& taps
     if (at < 0 || at >= plane_width || row < 0 || row >= plane_height) continue;
     for (std::size_t c = 0; c < 3; ++c) {
       double weight = 0;
-      for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
+      for (const Gaussian& term : gaussians::skin_six().terms)
         weight += term.weight[c] / term.variance_mm2 *
                   std::exp(-tap.radius_mm * tap.radius_mm / (2 * term.variance_mm2));
       weights[c] += weight * tap.per_density_mm2;

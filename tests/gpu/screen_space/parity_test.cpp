@@ -80,13 +80,12 @@ TEST_P(ZeroWidth, EveryTechniqueMakesThePictureOfLambert) {
 // Half of the light has no width. The rest of it is the profile's, in full: the picture lies between the two.
 TEST_P(ZeroWidth, APartWithoutWidthIsLitAtThePixel) {
   const Scene scene = subject("built-in head").open();
-  const auto drawn = [&](const std::string& name, const std::vector<gaussians::Gaussian>& terms) {
+  const auto drawn = [&](const std::string& name, const std::vector<Gaussian>& terms) {
     RenderSettings s = with_profile(shaded(GetParam(), 4), name, terms);
     s.skin.translucency = false;
     return renderer().render(scene, s);
   };
-  const gaussians::Gaussian none{.variance_mm2 = 0, .weight = {1, 1, 1}},
-      wide{.variance_mm2 = 4, .weight = {1, 1, 1}};
+  const Gaussian none{.variance_mm2 = 0, .weight = {1, 1, 1}}, wide{.variance_mm2 = 4, .weight = {1, 1, 1}};
   const Picture sharp = drawn("no width", {none}), blurred = drawn("one width", {wide}),
                 both = drawn("half without width", {none, wide});
   double most = 0;

@@ -97,7 +97,7 @@ glm::dvec2 seen_mm(const RenderSettings& s, int x, int y) {
 
 std::array<double, 3> exact_edge(double x_mm, double width_mm) {
   std::array<double, 3> light{};
-  for (const gaussians::Gaussian& term : gaussians::skin_six().terms) {
+  for (const Gaussian& term : gaussians::skin_six().terms) {
     const double sigma = std::sqrt(term.variance_mm2);
     const double share =
         width_mm > 0
@@ -132,8 +132,7 @@ double spread_of_red(const Picture& picture, const RenderSettings& s) {
     integral += (to - std::max(from, 0.0)) / 2 * (before + to * pixel(picture, x, middle_row)[0]);
   }
   double variance_mm2 = 0;
-  for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
-    variance_mm2 += term.weight[0] * term.variance_mm2;
+  for (const Gaussian& term : gaussians::skin_six().terms) variance_mm2 += term.weight[0] * term.variance_mm2;
   return std::sqrt(4 * integral / variance_mm2);
 }
 

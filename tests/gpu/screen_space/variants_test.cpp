@@ -20,14 +20,14 @@ namespace {
 // The share of a channel's light within a radius.
 double share_in(std::size_t c, double r_mm) {
   double sum = 0;
-  for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
+  for (const Gaussian& term : gaussians::skin_six().terms)
     sum -= term.weight[c] * std::expm1(-r_mm * r_mm / (2 * term.variance_mm2));
   return sum;
 }
 
 double weight_at(std::size_t c, double r_mm) {
   double sum = 0;
-  for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
+  for (const Gaussian& term : gaussians::skin_six().terms)
     sum += term.weight[c] / term.variance_mm2 * std::exp(-r_mm * r_mm / (2 * term.variance_mm2));
   return sum;
 }

@@ -164,7 +164,7 @@ scene::Scene two_skins(bool covered) {
   };
 
   scene::Material pale = made.materials.front();
-  gaussians::SumOfGaussians wide;
+  ScatterProfile wide;
   wide.name = "wide";
   wide.terms = {{.variance_mm2 = 4, .weight = {0.5, 0.8, 0.9}},
                 {.variance_mm2 = 40, .weight = {0.5, 0.2, 0.1}}};

@@ -64,7 +64,7 @@ scene::Scene ball(double radius_mm) {
 
 /// What the laws say of a sphere at a pixel; its thickness is that of rays into a cone: 2 R cos^2, 1.5 R on
 /// average.
-double wanted(const gaussians::SumOfGaussians& profile, std::size_t c, double radius_mm, double cosine) {
+double wanted(const ScatterProfile& profile, std::size_t c, double radius_mm, double cosine) {
   return profile::curved_total(*profile.shape, c, 1 / radius_mm, 0) *
          profile::slab_front(*profile.shape, c, 1.5 * radius_mm) *
          profile::exit_factor(*profile.shape, c, cosine);
@@ -82,7 +82,7 @@ void for_each_on_ball(const Picture& picture, const Body& body) {
 }
 
 TEST(ShapeAware, ASphereShowsItsLaws) {
-  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const ScatterProfile profile = gaussians::checked_profile(skin2());
   for (const double radius_mm : {6.0, 15.0}) {
     const Scene scene = wrap(ball(radius_mm));
     const Picture off = renderer().render(scene, settings(false)),
@@ -101,7 +101,7 @@ TEST(ShapeAware, ASphereShowsItsLaws) {
 
 // A flat sheet that ends nowhere near is a half-space: its light changes with the angle of exit alone.
 TEST(ShapeAware, FlatSkinKeepsItsTotal) {
-  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const ScatterProfile profile = gaussians::checked_profile(skin2());
   for (const double angle_deg : {0.0, 60.0}) {
     scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 8);
     made.materials.front().skin_settings.mix = 0;
@@ -118,7 +118,7 @@ TEST(ShapeAware, FlatSkinKeepsItsTotal) {
 
 // A place at the end of a small sheet reads no light from beyond it.
 TEST(ShapeAware, SkinThatEndsStaysLit) {
-  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const ScatterProfile profile = gaussians::checked_profile(skin2());
   constexpr double angle_deg = 60;
   scene::Scene made = scene::plane(0.006, glm::dmat2(1), {}, 8);
   made.materials.front().skin_settings.mix = 0;
@@ -144,7 +144,7 @@ TEST(ShapeAware, SkinThatEndsStaysLit) {
 // Under light from the side the radiance of a sphere is that of a place further from the eye: the picture
 // without laws, read there. Narrow terms that are lit at the pixel leave where they have entered.
 TEST(ShapeAware, LightComesFromFurtherFromTheEye) {
-  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const ScatterProfile profile = gaussians::checked_profile(skin2());
   const std::array<double, 3>& rgb_mm = profile.shape->exit_offset_mm;
   const double offset_mm = (rgb_mm[0] + rgb_mm[1] + rgb_mm[2]) / 3;
   constexpr double radius_mm = 10;
@@ -217,7 +217,7 @@ TEST(ShapeAware, HoldsFarAway) {
 
 // An instance of another size has its own curvature: twice as large, half as curved.
 TEST(ShapeAware, FollowsTheSizeOfAnInstance) {
-  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const ScatterProfile profile = gaussians::checked_profile(skin2());
   scene::Scene made = ball(5);
   made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
   Scene scene;
@@ -255,7 +255,7 @@ TEST(ShapeAware, PublishedProfilesHaveNone) {
 
 // A sphere whose morph target makes it larger: curvature is found again, on the device.
 TEST(ShapeAware, FollowsAPose) {
-  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const ScatterProfile profile = gaussians::checked_profile(skin2());
   scene::Scene made = ball(5);
   made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
 
@@ -285,7 +285,7 @@ TEST(ShapeAware, FollowsAPose) {
 
 // A slab that is lit from behind lets through what the medium says, where its Gaussians say less.
 TEST(ShapeAware, SlabsLetThroughWhatTheirMediumDoes) {
-  const gaussians::SumOfGaussians profile = gaussians::checked_sum(skin2());
+  const ScatterProfile profile = gaussians::checked_profile(skin2());
   const optics::RgbMedium medium = optics::rgb_medium(*profile.medium);
   for (const double thickness_mm : {2.0, 4.0}) {
     scene::Scene made = two_planes(0.06, 12, [&](scene::Vertex& v) {
@@ -304,7 +304,7 @@ TEST(ShapeAware, SlabsLetThroughWhatTheirMediumDoes) {
       const double back = profile::slab_backs(medium[c], std::span(&thickness_mm, 1)).front() *
                           profile::exit_factor(*profile.shape, c, 1);
       double gaussians = 0;
-      for (const gaussians::Gaussian& term : profile.terms)
+      for (const Gaussian& term : profile.terms)
         gaussians += term.weight[c] * std::exp(-thickness_mm * thickness_mm / (2 * term.variance_mm2));
       if (gaussians < 0.01) continue;  // held back by the most that a gain may be
       EXPECT_NEAR(seen[c], back, 0.05 * back) << thickness_mm << " mm, " << c;

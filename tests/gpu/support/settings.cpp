@@ -47,9 +47,8 @@ RenderSettings unoptimised(RenderSettings s) {
   return s;
 }
 
-RenderSettings with_profile(RenderSettings s, const std::string& name,
-                            const std::vector<gaussians::Gaussian>& terms) {
-  gaussians::SumOfGaussians sum;
+RenderSettings with_profile(RenderSettings s, const std::string& name, const std::vector<Gaussian>& terms) {
+  ScatterProfile sum;
   sum.name = name;
   sum.terms = terms;
   s.skin.profile = (program_folder() / (name + ".json")).string();

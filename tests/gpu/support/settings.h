@@ -33,7 +33,7 @@ RenderSettings unoptimised(RenderSettings settings);
 /// Skin that scatters by these terms, under a name of their own among those of the program. Weights that do
 /// not sum to 1 are divided by their sum.
 RenderSettings with_profile(RenderSettings settings, const std::string& name,
-                            const std::vector<gaussians::Gaussian>& terms);
+                            const std::vector<Gaussian>& terms);
 
 /// One sample per pixel of a picture so many times as wide and high; downsampled() takes it back.
 RenderSettings super_sampled(RenderSettings settings, int times);

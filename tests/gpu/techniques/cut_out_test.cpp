@@ -223,7 +223,7 @@ TEST(CutOutMaps, IsThatOfTheReference) {
   cut_out(sheet, 8, [](int x, int y) { return x < 2 || x > 5 || y < 2 || y > 5; });
   sheet.materials.front().base_colour_map.image = 0;
 
-  gaussians::SumOfGaussians narrow;
+  ScatterProfile narrow;
   narrow.name = "narrow";
   narrow.terms = {{.variance_mm2 = 1e-3, .weight = {1, 1, 1}}};
   made.materials.front().skin_settings.profile = sheet.materials.front().skin_settings.profile = narrow;

@@ -18,7 +18,7 @@ constexpr int map_size = 256;
 
 // The built-in head has 0.58 texels per mm of a map of 256. The three wide ones of these terms are on maps:
 // from near to far, fewer and fewer of them spread light further than a pixel.
-const std::vector<gaussians::Gaussian> wide_terms{
+const std::vector<Gaussian> wide_terms{
     {.variance_mm2 = 0.01, .weight = {0.1, 0.2, 0.3}}, {.variance_mm2 = 0.1, .weight = {0.1, 0.2, 0.2}},
     {.variance_mm2 = 0.5, .weight = {0.1, 0.2, 0.2}},  {.variance_mm2 = 2, .weight = {0.2, 0.1, 0.1}},
     {.variance_mm2 = 6, .weight = {0.2, 0.2, 0.1}},    {.variance_mm2 = 16, .weight = {0.3, 0.1, 0.1}}};
@@ -115,11 +115,11 @@ TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
 // A chain that starts at a wide term starts from the irradiance, with all of the variance of that term.
 // Narrow terms of next to no weight are lit per pixel far away: what remains is the profile without them.
 TEST(TermsByNeed, TheChainStartsFromTheIrradiance) {
-  const std::vector<gaussians::Gaussian> wide{{.variance_mm2 = 1.6, .weight = {0.4, 0.5, 0.6}},
-                                              {.variance_mm2 = 6.4, .weight = {0.3, 0.2, 0.2}},
-                                              {.variance_mm2 = 25.6, .weight = {0.3, 0.3, 0.2}}};
-  std::vector<gaussians::Gaussian> all{{.variance_mm2 = 0.16, .weight = {1e-15, 1e-15, 1e-15}},
-                                       {.variance_mm2 = 0.64, .weight = {1e-15, 1e-15, 1e-15}}};
+  const std::vector<Gaussian> wide{{.variance_mm2 = 1.6, .weight = {0.4, 0.5, 0.6}},
+                                   {.variance_mm2 = 6.4, .weight = {0.3, 0.2, 0.2}},
+                                   {.variance_mm2 = 25.6, .weight = {0.3, 0.3, 0.2}}};
+  std::vector<Gaussian> all{{.variance_mm2 = 0.16, .weight = {1e-15, 1e-15, 1e-15}},
+                            {.variance_mm2 = 0.64, .weight = {1e-15, 1e-15, 1e-15}}};
   all.insert(all.end(), wide.begin(), wide.end());
 
   for (const bool sparse : {false, true}) {

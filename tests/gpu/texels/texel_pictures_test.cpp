@@ -111,7 +111,7 @@ scene::Scene several_materials() {
   scene::Material pale = made.materials.front();
   pale.name = "pale";
   pale.base_colour = {0.9f, 0.8f, 0.7f, 1};
-  pale.skin_settings.profile = gaussians::SumOfGaussians{};
+  pale.skin_settings.profile = ScatterProfile{};
   pale.skin_settings.profile->name = "wide";
   pale.skin_settings.profile->terms = {{.variance_mm2 = 4, .weight = {0.5, 0.8, 0.9}},
                                        {.variance_mm2 = 40, .weight = {0.5, 0.2, 0.1}}};

@@ -54,7 +54,7 @@ RenderSettings slab_settings() {
 
 std::array<double, 3> slab_factor(double thickness_mm) {
   std::array<double, 3> sum{};
-  for (const gaussians::Gaussian& g : gaussians::skin_six().terms)
+  for (const Gaussian& g : gaussians::skin_six().terms)
     for (std::size_t c = 0; c < 3; ++c)
       sum[c] += g.weight[c] * std::exp(-thickness_mm * thickness_mm / (2 * g.variance_mm2));
   return sum;

@@ -207,7 +207,7 @@ TEST(Slab, TheColourOfTheLitSideActs) {
 // From one term to eight: every number of groups and targets.
 TEST(Slab, AnyNumberOfTerms) {
   for (const std::size_t terms : {1u, 2u, 3u, 4u, 5u, 8u}) {
-    std::vector<gaussians::Gaussian> profile;
+    std::vector<Gaussian> profile;
     double wanted = 0;
     for (std::size_t i = 0; i < terms; ++i) {
       const double variance_mm2 = 0.05 * std::pow(3.0, static_cast<double>(i)),

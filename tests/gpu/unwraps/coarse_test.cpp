@@ -58,7 +58,7 @@ Worst worst_of(const ReferencePicture& truth, const image::ImageF& found) {
   // times its Laplacian, which is greatest below the lamp: E = (1 + r^2 / h^2)^(-3/2) bends by -6 / h^2
   // there.
   std::array<double, 3> missed{};
-  for (const gaussians::Gaussian& term : gaussians::skin_six().terms)
+  for (const Gaussian& term : gaussians::skin_six().terms)
     for (std::size_t c = 0; c < 3; ++c)
       missed[c] += term.weight[c] * term.variance_mm2 / 2 * 6 / (lamp_mm * lamp_mm);
 

@@ -80,7 +80,10 @@ Json texture_of(Builder& b, const AssetMap& map, const char* scale_key = nullptr
 Json skin_of(Builder& b, const AssetSkin& skin) {
   Json json = Json::object();
   if (skin.profile)
-    json["profile"] = {{"variances_mm2", skin.profile->variances_mm2}, {"weights", skin.profile->weights}};
+    for (const Gaussian& term : skin.profile->terms) {
+      json["profile"]["variances_mm2"].push_back(term.variance_mm2);
+      json["profile"]["weights"].push_back(term.weight);
+    }
   if (skin.mix) json["mix"] = *skin.mix;
   const auto add = [&](const char* key, const AssetChannelMap& map) {
     if (map.map.image >= 0)

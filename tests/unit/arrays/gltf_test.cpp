@@ -185,8 +185,7 @@ struct Whole {
     m.normal_scale = -0.7f;
     AssetSkin& s = m.skin_settings;
     s.profile.emplace();
-    s.profile->variances_mm2 = {0.05, 0.8};
-    s.profile->weights = {{0.25, 0.5, 1}, {0.75, 0.5, 0}};
+    s.profile->terms = {{0.05, {0.25, 0.5, 1}}, {0.8, {0.75, 0.5, 0}}};
     s.mix = 0.3f;
     s.specular = {map(0, 1), 3, 1.5f};
     s.roughness = {map(3), 2, 0.5f};

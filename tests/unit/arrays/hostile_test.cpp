@@ -257,12 +257,10 @@ TEST(ArraysHostile, Skin) {
          s.lobes = {{1, 0.5f}, {1, 0.25f}};
        }),
        at + "the weights of the lobes must sum to 1, they sum to 0.75"},
-      {with([](AssetSkin& s) { s.profile.emplace(); }),
-       at + "profile: variances_mm2 must have 1 to 8 terms, has 0"},
+      {with([](AssetSkin& s) { s.profile.emplace(); }), at + "profile: terms must be 1 to 8, there are 0"},
       {with([](AssetSkin& s) {
          s.profile.emplace();
-         s.profile->variances_mm2 = {1};
-         s.profile->weights = {{1, 0.5, 1}};
+         s.profile->terms = {{1, {1, 0.5, 1}}};
        }),
        at + "profile: weights of green must sum to 1 within 0.001, they sum to 0.5"},
   });

@@ -24,7 +24,7 @@ AssetMap map_of(const MapRef& map) {
 
 AssetSkin skin_of(const SkinMaterial& skin) {
   AssetSkin given;
-  if (skin.profile) given.profile = gaussians::scatter_profile(*skin.profile);
+  if (skin.profile) given.profile = *skin.profile;
   given.mix = skin.mix;
   given.specular = {map_of(skin.specular), skin.specular.channel, skin.specular.scale};
   given.roughness = {map_of(skin.roughness), skin.roughness.channel, skin.roughness.scale};

@@ -30,7 +30,7 @@ std::string two_terms(const std::string& variances, const std::string& weights,
 const std::string good_weights = "[[0.25, 0.5, 1], [0.75, 0.5, 0]]";
 
 TEST(ProfileJson, RoundTripKeepsEveryBit) {
-  SumOfGaussians sum = skin_six();
+  ScatterProfile sum = skin_six();
   sum.name = "a \"name\" with ä and \\ in it";
   sum.terms[0].variance_mm2 = 0.1 + 0.2;  // 17 digits
   sum.error_percent = {1.0 / 3, 0, 12.5};
@@ -40,7 +40,7 @@ TEST(ProfileJson, RoundTripKeepsEveryBit) {
   std::swap(sum.terms[0], sum.terms[1]);
   std::swap(sum.terms[0].variance_mm2, sum.terms[1].variance_mm2);
 
-  const SumOfGaussians back = parse_json(to_json(sum), "p.json");
+  const ScatterProfile back = parse_json(to_json(sum), "p.json");
   EXPECT_EQ(back.name, sum.name);
   ASSERT_EQ(back.terms.size(), sum.terms.size());
 
@@ -59,7 +59,7 @@ TEST(ProfileJson, RoundTripKeepsEveryBit) {
 }
 
 TEST(ProfileJson, SortsNarrowToWideAndFillsDefaults) {
-  const SumOfGaussians sum = parse_json(two_terms("[2, 0.5]", good_weights), "p.json");
+  const ScatterProfile sum = parse_json(two_terms("[2, 0.5]", good_weights), "p.json");
   ASSERT_EQ(sum.terms.size(), 2u);
   EXPECT_EQ(sum.terms[0].variance_mm2, 0.5);
   EXPECT_EQ(sum.terms[0].weight, (Rgb{0.75, 0.5, 0}));
@@ -108,7 +108,7 @@ TEST(ProfileJson, Weights) {
             "p.json: weights of green sum to 0.998, expected 1 within 0.001 (or have them normalised)");
   EXPECT_EQ(error_of(two_terms("[1, 2]", "[[0.25, 0.5, 1], [0.75, 0.4995, 0]]")), "no error");
 
-  const SumOfGaussians sum = parse_json(two_terms("[1, 2]", "[[1, 2, 3], [3, 2, 0]]"), "p.json", true);
+  const ScatterProfile sum = parse_json(two_terms("[1, 2]", "[[1, 2, 3], [3, 2, 0]]"), "p.json", true);
   EXPECT_EQ(sum.terms[0].weight, (Rgb{0.25, 0.5, 1}));
   EXPECT_EQ(sum.terms[1].weight, (Rgb{0.75, 0.5, 0}));
 
@@ -149,7 +149,7 @@ const std::string medium =
     R"(, "medium": {"sigma_a_per_mm": [0.01, 0.07, 0.1], "sigma_s_per_mm": [1, 1.5, 2], "g": 0, "eta": 1.3})";
 
 TEST(ProfileJson, KnowsItsMediumAndItsLaws) {
-  const SumOfGaussians sum = parse_json(two_terms("[1, 2]", good_weights, medium), "p.json");
+  const ScatterProfile sum = parse_json(two_terms("[1, 2]", good_weights, medium), "p.json");
   ASSERT_TRUE(sum.medium && sum.shape);
   EXPECT_EQ(sum.medium->sigma_a_per_mm, (Rgb{0.01, 0.07, 0.1}));
   EXPECT_EQ(sum.medium->eta, 1.3);
@@ -157,7 +157,7 @@ TEST(ProfileJson, KnowsItsMediumAndItsLaws) {
   EXPECT_EQ(parse_json(to_json(sum), "p.json"), sum) << "to the last bit";
 
   // Laws of a file are those that count.
-  SumOfGaussians other = sum;
+  ScatterProfile other = sum;
   other.shape->curvature_mm = {3, 2, 1};
   EXPECT_EQ(parse_json(to_json(other), "p.json").shape->curvature_mm, (Rgb{3, 2, 1}));
   EXPECT_FALSE(parse_json(two_terms("[1, 2]", good_weights), "p.json").shape);
@@ -249,7 +249,7 @@ TEST(ProfileJson, AVarianceOfZeroIsForThoseThatTakeIt) {
   EXPECT_THROW(read("[1, 0]", LeastVariance::above_zero), InputError);
   EXPECT_THROW(read("[1, -0.5]", LeastVariance::zero), InputError);
   EXPECT_THROW(read("[0, 0]", LeastVariance::zero), InputError);
-  const SumOfGaussians sum = read("[1, 0]", LeastVariance::zero);
+  const ScatterProfile sum = read("[1, 0]", LeastVariance::zero);
   EXPECT_EQ(sum.terms[0], (Gaussian{.variance_mm2 = 0, .weight = {0.75, 0.5, 0}}));
   EXPECT_EQ(sum.terms[1].variance_mm2, 1);
   std::filesystem::remove(path);

@@ -111,7 +111,7 @@ TEST(KernelExport, TablesHoldLight) {
 }
 
 TEST(KernelExport, ANameCannotEndAComment) {
-  SumOfGaussians profile = skin_six();
+  ScatterProfile profile = skin_six();
   profile.name = "a\n#error b\x01";
   const ExportedKernel kernel = export_kernel("separable-kernel", profile, 3);
   EXPECT_EQ(kernel.c.find("\n#error"), std::string::npos);

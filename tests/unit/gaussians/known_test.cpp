@@ -12,7 +12,7 @@ namespace dermis::gaussians {
 namespace {
 
 TEST(Known, SkinIsWhiteAndOrdered) {
-  const SumOfGaussians skin = known("skin");
+  const ScatterProfile skin = known("skin");
   ASSERT_EQ(skin.terms.size(), 6u);
   Rgb sum{};
   double last_mm2 = 0;

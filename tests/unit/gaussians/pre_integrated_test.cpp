@@ -35,7 +35,7 @@ void expect_light(const Rgb& found, const Rgb& wanted, double relative) {
 }
 
 TEST(PreIntegrated, IsTheTableOfSpheres) {
-  const SumOfGaussians skin = skin_six();
+  const ScatterProfile skin = skin_six();
   for (const OnASphere& row : on_spheres) {
     SCOPED_TRACE(testing::Message() << "radius " << row.radius_mm << ", cosine " << row.cosine);
     expect_light(lit_arc(skin, row.cosine, 1 / row.radius_mm), row.arc, 0.01);
@@ -45,7 +45,7 @@ TEST(PreIntegrated, IsTheTableOfSpheres) {
 
 // Beside the terminator the arc is what a sphere shows, from a radius of 10 mm everywhere; the ring is not.
 TEST(PreIntegrated, TheArcIsNearTheSphere) {
-  const SumOfGaussians skin = skin_six();
+  const ScatterProfile skin = skin_six();
   for (const OnASphere& row : on_spheres) {
     const double most = row.radius_mm >= 10 ? 0.002 : 0.03;
     EXPECT_NEAR(lit_arc(skin, row.cosine, 1 / row.radius_mm)[0], row.sphere[0], most);
@@ -67,7 +67,7 @@ TEST(PreIntegrated, IntegratesAnyGaussian) {
           sum += g * std::max(std::cos(theta + s / r), 0.0);
           whole += g;
         }
-        const SumOfGaussians one{.name = "one", .model = {}, .terms = {{variance_mm2, {1, 1, 1}}}};
+        const ScatterProfile one{.name = "one", .model = {}, .terms = {{variance_mm2, {1, 1, 1}}}};
         // A Gaussian that is cut at eight sigma is whole within 1e-14; here it is cut at four.
         EXPECT_NEAR(lit_arc(one, cosine, curvature)[0], sum / whole, 1e-6)
             << variance_mm2 << " " << curvature << " " << cosine;
@@ -108,7 +108,7 @@ TEST(PreIntegrated, AnEdgeIsFoundInADisc) {
 }
 
 TEST(PreIntegrated, TablesHoldTheFunctions) {
-  const SumOfGaussians skin = skin_six();
+  const ScatterProfile skin = skin_six();
   const LightTable lit = lit_table(skin, 256, 64), ring = lit_table(skin, 256, 64, true),
                    edge = edge_table(skin, 256), shadow = shadow_table(skin, 33, 4);
   const int column = 140, row = 20;
@@ -131,7 +131,7 @@ TEST(PreIntegrated, TablesHoldTheFunctions) {
 
 // A head of twice the size is bent half as much, and its profile is half as wide in its own mm.
 TEST(PreIntegrated, KnowsNoUnit) {
-  SumOfGaussians half = skin_six();
+  ScatterProfile half = skin_six();
   for (Gaussian& term : half.terms) term.variance_mm2 /= 4;
   for (std::size_t c = 0; c < 3; ++c)
     EXPECT_NEAR(lit_arc(half, 0.1, 0.2)[c], lit_arc(skin_six(), 0.1, 0.1)[c], 1e-12);

@@ -118,7 +118,7 @@ TEST(LineSpreadKernel, HoldsTheIntegralsOfItsCells) {
 }
 
 TEST(LineSpreadKernel, SpreadsAsFarAsTheProfile) {
-  const SumOfGaussians skin = skin_six();
+  const ScatterProfile skin = skin_six();
   for (const int taps : {17, 25, 33}) {
     const std::vector<LineTap> kernel = line_spread_kernel(skin, taps);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -133,7 +133,7 @@ TEST(LineSpreadKernel, SpreadsAsFarAsTheProfile) {
 
 // A head of twice the size has a kernel of half the offsets in its own mm, with the same weights.
 TEST(LineSpreadKernel, FollowsTheWidthOfTheProfile) {
-  SumOfGaussians half = skin_six();
+  ScatterProfile half = skin_six();
   for (Gaussian& term : half.terms) term.variance_mm2 /= 4;
   const std::vector<LineTap> whole = line_spread_kernel(skin_six(), 17),
                              narrow = line_spread_kernel(half, 17);
@@ -144,7 +144,7 @@ TEST(LineSpreadKernel, FollowsTheWidthOfTheProfile) {
 }
 
 TEST(LineSpreadKernel, KeepsLightOfAChannelThatDoesNotSpread) {
-  SumOfGaussians red = skin_six();
+  ScatterProfile red = skin_six();
   for (Gaussian& term : red.terms) term.weight[2] = 0;
   const std::vector<LineTap> kernel = line_spread_kernel(red, 17);
   EXPECT_EQ(kernel[0].weight[2], 1);
@@ -182,7 +182,7 @@ TEST(DiscTaps, HoldMostOfTheLightOfRed) {
 // Each tap stands for 1/n of the light of red: sums over the taps of a profile by its density are its
 // integrals over the plane.
 TEST(DiscTaps, IntegrateTheProfile) {
-  const SumOfGaussians skin = skin_six();
+  const ScatterProfile skin = skin_six();
   constexpr int taps = 1024;
   Rgb sum{}, moment{};
   for (const DiscTap& tap : disc_taps(skin, taps)) {

@@ -144,9 +144,9 @@ TEST(Fit, EnergyKeepsTheTail) {
   const auto plane = gaussians::fit_shared(dipoles, 6, "plane"),
              energy = gaussians::fit_shared(dipoles, 6, "energy", gaussians::Measure::energy);
 
-  const auto beyond = [](const gaussians::SumOfGaussians& sum, double radius_mm) {
+  const auto beyond = [](const ScatterProfile& sum, double radius_mm) {
     double light = 0;
-    for (const gaussians::Gaussian& term : sum.terms)
+    for (const Gaussian& term : sum.terms)
       light += term.weight[0] * std::exp(-radius_mm * radius_mm / (2 * term.variance_mm2));
     return light;
   };

@@ -51,10 +51,11 @@ TEST(PublicProfile, PresetsAreProfilesByName) {
 
   for (const char* name : {"marble", "skin1"}) {
     const ScatterProfile kept = load_profile(name), made = profile_of_preset(name);
-    ASSERT_EQ(kept.variances_mm2.size(), made.variances_mm2.size()) << name;
-    for (std::size_t k = 0; k < made.variances_mm2.size(); ++k) {
-      EXPECT_NEAR(kept.variances_mm2[k] / made.variances_mm2[k], 1, 0.01) << name;
-      for (const std::size_t c : channels) EXPECT_NEAR(kept.weights[k][c], made.weights[k][c], 1e-3) << name;
+    ASSERT_EQ(kept.terms.size(), made.terms.size()) << name;
+    for (std::size_t k = 0; k < made.terms.size(); ++k) {
+      EXPECT_NEAR(kept.terms[k].variance_mm2 / made.terms[k].variance_mm2, 1, 0.01) << name;
+      for (const std::size_t c : channels)
+        EXPECT_NEAR(kept.terms[k].weight[c], made.terms[k].weight[c], 1e-3) << name;
     }
     ASSERT_TRUE(kept.medium && kept.shape) << name;
     EXPECT_NEAR(kept.medium->sigma_s_per_mm[0], made.medium->sigma_s_per_mm[0], 1e-5) << name;
@@ -66,8 +67,8 @@ TEST(PublicProfile, PresetsAreProfilesByName) {
 // most here.
 TEST(PublicProfile, TheFitReflectsItsTotal) {
   const ScatterProfile skin = profile_of_preset("skin1", {.model = ProfileModel::dipole});
-  const double from = std::log(1e-4 * std::sqrt(skin.variances_mm2.front())),
-               to = std::log(8 * std::sqrt(skin.variances_mm2.back()));
+  const double from = std::log(1e-4 * std::sqrt(skin.terms.front().variance_mm2)),
+               to = std::log(8 * std::sqrt(skin.terms.back().variance_mm2));
   constexpr int steps = 2000;
   std::array<double, 3> light{};
   for (int i = 0; i <= steps; ++i) {
@@ -209,8 +210,7 @@ TEST(PublicProfile, FilesAreReadBack) {
   const ScatterProfile read = load_profile(path);
   EXPECT_EQ(read.name, made.name);
   EXPECT_EQ(read.model, made.model);
-  EXPECT_EQ(read.variances_mm2, made.variances_mm2);
-  EXPECT_EQ(read.weights, made.weights);
+  EXPECT_EQ(read.terms, made.terms);
   EXPECT_EQ(read.error_percent, made.error_percent);
   EXPECT_EQ(read.total_reflectance, made.total_reflectance);
   EXPECT_EQ(read.mean_free_path_mm, made.mean_free_path_mm);
@@ -222,19 +222,19 @@ TEST(PublicProfile, FilesAreReadBack) {
             "profile 'skin1' has no curves of a model: it was read, or put together by hand");
   check_profile(read);
 
-  EXPECT_EQ(load_profile("skin").variances_mm2.size(), 6u);
+  EXPECT_EQ(load_profile("skin").terms.size(), 6u);
   EXPECT_NE(tests::thrown<InputError>([] { load_profile("no-such-profile"); }).find("there are: skin"),
             std::string::npos);
   tests::write_text(path, R"({"variances_mm2": [1], "weights": [[1, 2, 1]]})");
   EXPECT_NE(tests::thrown<InputError>([&] { load_profile(path); }).find("weights of green sum to 2"),
             std::string::npos);
-  EXPECT_EQ(load_profile(path, true).weights[0][1], 1);
+  EXPECT_EQ(load_profile(path, true).terms[0].weight[1], 1);
 }
 
 TEST(PublicProfile, WhatNoPictureCanBeMadeWithIsRefused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = HUGE_VAL;
   const ScatterProfile good{
-      .name = "mine", .model = {}, .variances_mm2 = {0.1, 2}, .weights = {{0.25, 0.5, 1}, {0.75, 0.5, 0}}};
+      .name = "mine", .model = {}, .terms = {{0.1, {0.25, 0.5, 1}}, {2, {0.75, 0.5, 0}}}};
   check_profile(good);
 
   struct Case {
@@ -242,19 +242,23 @@ TEST(PublicProfile, WhatNoPictureCanBeMadeWithIsRefused) {
     std::string message;
   };
   const std::vector<Case> cases{
-      {[](auto& p) { p.variances_mm2.clear(); }, "variances_mm2 must have 1 to 8 terms, has 0"},
-      {[](auto& p) { p.variances_mm2.resize(1'000'000, 3); },
-       "variances_mm2 must have 1 to 8 terms, has 1000000"},
-      {[](auto& p) { p.weights.pop_back(); }, "weights must have as many terms as variances_mm2, 2, has 1"},
-      {[](auto& p) { p.variances_mm2[0] = 0; }, "variances_mm2[0] must be > 0 mm^2 and finite, got 0"},
-      {[](auto& p) { p.variances_mm2[0] = -1; }, "variances_mm2[0] must be > 0 mm^2 and finite, got -1"},
-      {[&](auto& p) { p.variances_mm2[1] = nan; }, "variances_mm2[1] must be > 0 mm^2 and finite, got nan"},
-      {[&](auto& p) { p.variances_mm2[1] = inf; }, "variances_mm2[1] must be > 0 mm^2 and finite, got inf"},
-      {[](auto& p) { p.variances_mm2[1] = 0.1; }, "variances_mm2 must rise, but 0.1 follows 0.1"},
-      {[](auto& p) { p.variances_mm2[0] = 3; }, "variances_mm2 must rise, but 2 follows 3"},
-      {[](auto& p) { p.weights[1][2] = -0.5; }, "weights[1] of blue must be >= 0 and finite, got -0.5"},
-      {[&](auto& p) { p.weights[0][0] = nan; }, "weights[0] of red must be >= 0 and finite, got nan"},
-      {[](auto& p) { p.weights[0][1] = 0.502; },
+      {[](auto& p) { p.terms.clear(); }, "terms must be 1 to 8, there are 0"},
+      {[](auto& p) { p.terms.resize(1'000'000); }, "terms must be 1 to 8, there are 1000000"},
+      {[](auto& p) { p.terms[0].variance_mm2 = 0; },
+       "terms[0].variance_mm2 must be > 0 mm^2 and finite, got 0"},
+      {[](auto& p) { p.terms[0].variance_mm2 = -1; },
+       "terms[0].variance_mm2 must be > 0 mm^2 and finite, got -1"},
+      {[&](auto& p) { p.terms[1].variance_mm2 = nan; },
+       "terms[1].variance_mm2 must be > 0 mm^2 and finite, got nan"},
+      {[&](auto& p) { p.terms[1].variance_mm2 = inf; },
+       "terms[1].variance_mm2 must be > 0 mm^2 and finite, got inf"},
+      {[](auto& p) { p.terms[1].variance_mm2 = 0.1; }, "variances of terms must rise, but 0.1 follows 0.1"},
+      {[](auto& p) { p.terms[0].variance_mm2 = 3; }, "variances of terms must rise, but 2 follows 3"},
+      {[](auto& p) { p.terms[1].weight[2] = -0.5; },
+       "terms[1].weight of blue must be >= 0 and finite, got -0.5"},
+      {[&](auto& p) { p.terms[0].weight[0] = nan; },
+       "terms[0].weight of red must be >= 0 and finite, got nan"},
+      {[](auto& p) { p.terms[0].weight[1] = 0.502; },
        "weights of green must sum to 1 within 0.001, they sum to 1.002"},
       {[](auto& p) { p.total_reflectance[0] = 1.5; }, "total_reflectance of red must be 0 to 1, got 1.5"},
       {[&](auto& p) { p.total_reflectance[2] = nan; }, "total_reflectance of blue must be 0 to 1, got nan"},

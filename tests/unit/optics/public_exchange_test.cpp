@@ -75,8 +75,8 @@ TEST(PublicExchange, ATableOfAGaussianIsThatGaussian) {
     values.push_back({0.6 * g, 0.4 * g, 0.2 * g});
   }
   const ScatterProfile p = profile_of_table("measured", r_mm, values, {.gaussians = 1});
-  ASSERT_EQ(p.variances_mm2.size(), 1u);
-  EXPECT_NEAR(p.variances_mm2[0], variance_mm2, 1e-3);
+  ASSERT_EQ(p.terms.size(), 1u);
+  EXPECT_NEAR(p.terms[0].variance_mm2, variance_mm2, 1e-3);
   EXPECT_NEAR(p.total_reflectance[1], 0.4, 1e-4);
 
   values.pop_back();

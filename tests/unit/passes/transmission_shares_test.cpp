@@ -30,7 +30,7 @@ TEST(TransmissionShares, TermsAtThePixelAreNotMixedWithThoseOnMaps) {
   EXPECT_EQ(mapped_groups(6, 0), (Firsts{0, 2, 4}));
 
   // Maps and pixels share the light of each term out alike.
-  const gaussians::SumOfGaussians profile = gaussians::skin_six();
+  const ScatterProfile profile = gaussians::skin_six();
   const io::TransmissionIo all = transmission_io(profile, 1000, 3),
                            maps = mapped_transmission_io(profile, 1000, 3);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ TEST(TransmissionShares, TermsAtThePixelAreNotMixedWithThoseOnMaps) {
 }
 
 // The final sum weighs what term i has gathered: everything that joined at groups that begin at or before it.
-void expect_exact(const gaussians::SumOfGaussians& profile) {
+void expect_exact(const ScatterProfile& profile) {
   const io::TransmissionIo io = transmission_io(profile, 1000);
   const Firsts first = transmission_groups(profile.terms.size());
   for (std::size_t j = 0; j < profile.terms.size(); ++j)
@@ -64,7 +64,7 @@ void expect_exact(const gaussians::SumOfGaussians& profile) {
 TEST(TransmissionShares, EachTermCountsByItsWeight) {
   expect_exact(gaussians::skin_six());
   for (std::size_t terms = 1; terms <= 8; ++terms) {
-    gaussians::SumOfGaussians made;
+    ScatterProfile made;
     for (std::size_t i = 0; i < terms; ++i) {
       const double x = static_cast<double>(i);
       made.terms.push_back({.variance_mm2 = 0.01 * (1 + x * x),
@@ -77,7 +77,7 @@ TEST(TransmissionShares, EachTermCountsByItsWeight) {
 // exp(-d^2 / 2v) grows with v, so what joins is never negative: half floats hold it, and nothing is taken
 // away.
 TEST(TransmissionShares, NothingIsTakenAway) {
-  const gaussians::SumOfGaussians profile = gaussians::skin_six();
+  const ScatterProfile profile = gaussians::skin_six();
   const io::TransmissionIo io = transmission_io(profile, 1000);
   for (const double d_m : {0.0, 0.0002, 0.0005, 0.001, 0.003, 0.01})
     for (std::size_t g = 0; g < TRANSMISSION_GROUPS; ++g)

@@ -22,9 +22,9 @@ Job gaussians_job(const scene::Scene& scene, int side) {
   return job;
 }
 
-gaussians::SumOfGaussians without_width(double share) {
+ScatterProfile without_width(double share) {
   const auto rest = 1 - share;
-  gaussians::SumOfGaussians sum;
+  ScatterProfile sum;
   sum.terms = {{.variance_mm2 = 0, .weight = {share, share, share}},
                {.variance_mm2 = 2, .weight = {rest, rest, rest}}};
   return sum;
@@ -50,7 +50,7 @@ double lit_sphere(double radius_mm, double cosine, double variance_mm2) {
 
 glm::dvec3 lit_sphere(double radius_mm, double cosine) {
   glm::dvec3 sum(0);
-  for (const gaussians::Gaussian& g : gaussians::skin_six().terms)
+  for (const Gaussian& g : gaussians::skin_six().terms)
     sum += glm::dvec3(g.weight[0], g.weight[1], g.weight[2]) * lit_sphere(radius_mm, cosine, g.variance_mm2);
   return sum;
 }

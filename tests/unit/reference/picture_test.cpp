@@ -56,7 +56,7 @@ TEST(Picture, SphereKeepsTheLightOfItsProfile) {
   constexpr double radius_mm = 2.5;
   const scene::Scene sphere = scene::sphere(radius_mm / 1000, 64);
   glm::dvec3 wanted(0);
-  for (const gaussians::Gaussian& g : gaussians::skin_six().terms)
+  for (const Gaussian& g : gaussians::skin_six().terms)
     for (int c = 0; c < 3; ++c)
       wanted[c] +=
           g.weight[static_cast<std::size_t>(c)] * -std::expm1(-2 * radius_mm * radius_mm / g.variance_mm2);
@@ -117,7 +117,7 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
     for (int c = 0; c < 3; ++c) {
       double mean = 0, wanted = 0;
       for (int y = 0; y < picture.height; ++y) mean += double(picture.at(x, y)[c]) / picture.height;
-      for (const gaussians::Gaussian& g : gaussians::skin_six().terms)
+      for (const Gaussian& g : gaussians::skin_six().terms)
         wanted +=
             g.weight[static_cast<std::size_t>(c)] * mean_phi(-left - width, -left, std::sqrt(g.variance_mm2));
       worst = std::max(worst, std::abs(mean - wanted));

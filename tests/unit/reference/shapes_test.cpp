@@ -109,7 +109,7 @@ TEST(Shapes, AreTheSameToTheBitAndRefuseWhatTheyCannotFollow) {
 }
 
 /// Root of the mean squared error over that of the truth, per cent, over light from all sides.
-optics::Rgb rms_percent(const Body& body, const gaussians::SumOfGaussians& profile, bool with_laws,
+optics::Rgb rms_percent(const Body& body, const ScatterProfile& profile, bool with_laws,
                         std::uint64_t walks) {
   std::vector<double> degrees;
   for (int i = 0; i <= 18; ++i) degrees.push_back(10 * i);
@@ -129,22 +129,22 @@ optics::Rgb rms_percent(const Body& body, const gaussians::SumOfGaussians& profi
   return out;
 }
 
-gaussians::SumOfGaussians profile_of(const optics::RgbMedium& medium) {
-  gaussians::SumOfGaussians sum = gaussians::fit_shared(
+ScatterProfile profile_of(const optics::RgbMedium& medium) {
+  ScatterProfile sum = gaussians::fit_shared(
       profile::make_profiles(medium, profile::Model::automatic, {}, "test").profiles, 6, "test");
   sum.medium = optics::coefficients_of(medium);
   sum.shape = profile::shape_laws(medium);
   return sum;
 }
 
-const gaussians::SumOfGaussians& profile_of_skin2() {
-  static const gaussians::SumOfGaussians profile = profile_of(skin2());
+const ScatterProfile& profile_of_skin2() {
+  static const ScatterProfile profile = profile_of(skin2());
   return profile;
 }
 
 // Skin shows, to an eye on the side of the light, the light of a place that faces it less.
 TEST(Shapes, LightComesFromFurtherFromTheEye) {
-  const gaussians::SumOfGaussians& profile = profile_of_skin2();
+  const ScatterProfile& profile = profile_of_skin2();
   const Body sphere{.shape = Shape::sphere, .size_mm = 8};
   constexpr double light_deg = 55, eye_deg = 60;
   constexpr std::uint32_t samples = tests::turns(1024, 64);
@@ -166,7 +166,7 @@ TEST(Shapes, LightComesFromFurtherFromTheEye) {
 
 // 40,000 walks have a noise of about 0.5 % of the light.
 TEST(Shapes, LawsHoldOnSpheresAndCylinders) {
-  const gaussians::SumOfGaussians& profile = profile_of_skin2();
+  const ScatterProfile& profile = profile_of_skin2();
   for (const double radius : {10.0, 20.0}) {
     const Body sphere{.shape = Shape::sphere, .size_mm = radius};
     const optics::Rgb plain = rms_percent(sphere, profile, false, 40'000),
@@ -190,7 +190,7 @@ TEST(Shapes, LawsHoldOnSlabs) {
       optics::parse_coefficients("sigma_a=0.1,0.35,0.8 sigma_s=2.2,2.8,3.4", "dark");
   std::vector profiles{profile_of_skin2()};
   if (!tests::sanitized) profiles.push_back(profile_of(dark));  // to fit it takes them a quarter of a minute
-  for (const gaussians::SumOfGaussians& profile : profiles) {
+  for (const ScatterProfile& profile : profiles) {
     const optics::RgbMedium medium = optics::rgb_medium(*profile.medium);
     for (const double thickness : {2.0, 4.0}) {
       const Body slab{.shape = Shape::slab, .size_mm = thickness};

@@ -44,8 +44,7 @@ Scene whole_scene() {
              .visible = false,
              .profile = ScatterProfile{.name = "made up",
                                        .model = "none",
-                                       .variances_mm2 = {1.0 / 7, 2.5},
-                                       .weights = {{0.4, 1.0 / 3, 0.6}, {0.6, 2.0 / 3, 0.4}},
+                                       .terms = {{1.0 / 7, {0.4, 1.0 / 3, 0.6}}, {2.5, {0.6, 2.0 / 3, 0.4}}},
                                        .total_reflectance = {0.7, 0.6, 0.5}},
              .mix = 0.1,
              .tint = {0.8, 0.7, 1.0 / 3}});
@@ -76,8 +75,7 @@ void expect_equal(const Instance& a, const Instance& b) {
   if (!a.profile) return;
   EXPECT_EQ(a.profile->name, b.profile->name);
   EXPECT_EQ(a.profile->model, b.profile->model);
-  EXPECT_EQ(a.profile->variances_mm2, b.profile->variances_mm2);
-  EXPECT_EQ(a.profile->weights, b.profile->weights);
+  EXPECT_EQ(a.profile->terms, b.profile->terms);
   EXPECT_EQ(a.profile->total_reflectance, b.profile->total_reflectance);
 }
 

@@ -27,7 +27,7 @@ TEST(Opening, ASavedProfileComesBack) {
   document.settings.skin.profile = "skin";
   read_file_for(document, file, quiet()).into(document);
   EXPECT_TRUE(document.settings.skin.profile.empty());
-  EXPECT_EQ(profile_of(document).variances_mm2, skin.variances_mm2);
+  EXPECT_EQ(profile_of(document).terms, skin.terms);
   EXPECT_EQ(document.skin.kind, SkinKind::gaussians);
   clear_profile(document);
   EXPECT_FALSE(document.scene.instance(document.scene.instances().front()).profile);

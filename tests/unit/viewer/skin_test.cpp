@@ -24,8 +24,7 @@ TEST(Skin, IsThatOfTheLibrary) {
   source.options.model = ProfileModel::dipole;
   const MadeSkin made = make_skin(source, false, {});
   const ScatterProfile wanted = profile_of_preset("marble", source.options);
-  EXPECT_EQ(made.profile.variances_mm2, wanted.variances_mm2);
-  EXPECT_EQ(made.profile.weights, wanted.weights);
+  EXPECT_EQ(made.profile.terms, wanted.terms);
   EXPECT_FALSE(made.is_quick);
 }
 
@@ -34,8 +33,7 @@ TEST(Skin, OfCoefficientsComesToTheLastBit) {
   source.options.model = ProfileModel::dipole;
   source.coefficients = {.sigma_a_per_mm = {0.032, 0.17, 0.48}, .sigma_s_per_mm = {1.0 / 1.3, 0.88, 1.01}};
   const MadeSkin made = make_skin(source, false, {});
-  EXPECT_EQ(made.profile.variances_mm2,
-            profile_of_coefficients(source.coefficients, source.options).variances_mm2);
+  EXPECT_EQ(made.profile.terms, profile_of_coefficients(source.coefficients, source.options).terms);
 }
 
 TEST(Skin, OfMorePigmentSpreadsLess) {
@@ -78,7 +76,7 @@ TEST(Skin, OfAnotherEngineAndBack) {
   source.options.model = ProfileModel::automatic;
   source.foreign = "unity reflectance=0.8,0.5,0.4 scattering_distance=0.76,0.32,0.2";
   const MadeSkin made = make_skin(source, true, {});
-  EXPECT_GT(made.profile.variances_mm2.back(), 0.1);
+  EXPECT_GT(made.profile.terms.back().variance_mm2, 0.1);
   // 0.32 / 0.76: lengths of the channels, by the longest.
   EXPECT_NE(exported_skin(made, "unity").find("0.421052631"), std::string::npos);
   source.foreign = "unity radius=1,2,3";
@@ -100,7 +98,7 @@ TEST(Skin, TheMakerEndsWithTheNewestWish) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   if (std::optional<MadeSkin> made = maker.take()) last = std::move(made);
   ASSERT_TRUE(last);
-  EXPECT_EQ(last->profile.variances_mm2, make_skin(source, true, {}).profile.variances_mm2);
+  EXPECT_EQ(last->profile.terms, make_skin(source, true, {}).profile.terms);
 }
 
 }  // namespace
