@@ -9,6 +9,7 @@
 #include "api/scene_state.h"
 #include "core/error.h"
 #include "setup/camera_matrices.h"
+#include "setup/frame_data.h"
 
 namespace dermis::vulkan {
 
@@ -190,7 +191,7 @@ void HostFrames::State::record_depth(VkCommandBuffer commands, const std::array<
   target.depth = &depth;
 
   std::vector<passes::HostDepthInstance> shown;
-  const std::vector<setup::InstanceOnDevice> on_device = frame.scene().instances();
+  const std::vector<passes::Instance> on_device = frame.scene().instances();
   for (const setup::HeadSetup& head : frame.setup().heads)
     if (scene.instance(ids[head.instance]).visible)
       shown.push_back({.scene = on_device[head.instance].scene,
@@ -198,7 +199,7 @@ void HostFrames::State::record_depth(VkCommandBuffer commands, const std::array<
                        .vertices = move.vertices_of(head.instance),
                        .posed = frame.posed().shape(head.instance),
                        .placements = frame.posed().placements(head.instance),
-                       .transform = setup::instance_io(head.pose)});
+                       .transform = setup::instance_io(head.world_from_asset)});
 
   gpu::Cmd cmd(frame.device(), commands);
   cmd.barrier_all();

@@ -18,7 +18,8 @@ void Motion::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, cons
     const setup::HeadSetup& head = setup.heads[h];
     const setup::PlacedAsset& now = placed.instances[head.instance];
     const std::pair key(ids[head.instance], row ? head.number : 0);
-    const Stood stands{.asset = now.asset, .instance = setup::instance_io(head.pose), .posed = now.posed};
+    const Stood stands{
+        .asset = now.asset, .instance = setup::instance_io(head.world_from_asset), .posed = now.posed};
     last_.heads[key] = stands;
 
     const auto found = before_.heads.find(key);

@@ -63,8 +63,8 @@ std::vector<std::array<double, 3>> Scene::positions_m(InstanceId id, int mesh,
   std::vector<std::array<double, 3>> positions_m;
   for (const KeptVertex& kept : kept_vertices(asset, mesh, vertices)) {
     const glm::dvec3 in_asset_m =
-        instance->posed
-            ? scene::posed_position_m(asset, instance->posed->rig, kept.primitive, kept.vertex)
+        instance->placed.posed
+            ? scene::posed_position_m(asset, instance->placed.posed->rig, kept.primitive, kept.vertex)
             : glm::dvec3(scene::world_position_m(asset.primitives[kept.primitive], 0, kept.vertex));
     const std::array<double, 16>& m = instance->instance.world_from_asset;
     std::array<double, 3>& world_m = positions_m.emplace_back();

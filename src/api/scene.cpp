@@ -50,13 +50,21 @@ void require_finite(const std::array<double, 3>& values, const char* member) {
     require(std::isfinite(value) && std::abs(value) <= 1e9, member, "finite, at most 1e9 in size", value);
 }
 
-setup::Pose checked_pose(const std::array<double, 16>& world_from_asset) {
-  const std::optional<setup::Pose> pose = setup::pose_of(world_from_asset);
-  if (!pose)
+setup::Similarity checked_transform(const std::array<double, 16>& world_from_asset) {
+  const std::optional<setup::Similarity> checked = setup::similarity_of(world_from_asset);
+  if (!checked)
     throw input_error("",
                       "world_from_asset must be rigid with one positive scale (1e-3 to 1e3). So it is a "
                       "rotation times a number, a shift of up to 1e9 m, and 0 0 0 1 in the last row");
-  return *pose;
+  return *checked;
+}
+
+std::optional<ScatterProfile> checked_profile(const std::optional<ScatterProfile>& profile) {
+  return profile ? std::optional(gaussians::checked_profile(*profile)) : std::nullopt;
+}
+
+std::optional<float> float_of(std::optional<double> value) {
+  return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
 }
 
 void check_mix(std::optional<double> mix) {
@@ -132,16 +140,20 @@ std::string Scene::name() const {
 
 InstanceId Scene::add(const Instance& instance) {
   if (!Asset::State::of(instance.asset)) throw input_error("", "an instance has no asset: it was moved away");
+  check_mix(instance.mix);
+  check_tint(instance.tint);
   State::PlacedInstance placed{
       .id = InstanceId{state_->next_id},
       .instance = instance,
-      .pose = checked_pose(instance.world_from_asset),
-      .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
-      .profile = {},
+      .placed = {.asset = {},
+                 .sphere = {},
+                 .world_from_asset = checked_transform(instance.world_from_asset),
+                 .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
+                 .visible = instance.visible,
+                 .profile = checked_profile(instance.profile),
+                 .mix = float_of(instance.mix),
+                 .tint = glm::vec3(api::vector_of(instance.tint))},
       .changes = {.pose = next_change(), .material = next_change(), .rig = next_change()}};
-  check_mix(instance.mix);
-  check_tint(instance.tint);
-  if (instance.profile) placed.profile = gaussians::checked_profile(*instance.profile);
 
   ++state_->next_id;
   state_->instances.push_back(std::move(placed));
@@ -172,7 +184,7 @@ const Instance& Scene::instance(InstanceId id) const {
 
 void Scene::set_transform(InstanceId id, const std::array<double, 16>& world_from_asset) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
-  placed.pose = checked_pose(world_from_asset);
+  placed.placed.world_from_asset = checked_transform(world_from_asset);
   placed.instance.world_from_asset = world_from_asset;
   placed.changes.pose = next_change();
   // The lights of its rig move with it.
@@ -183,15 +195,13 @@ void Scene::set_transform(InstanceId id, const std::array<double, 16>& world_fro
 
 void Scene::set_visible(InstanceId id, bool visible) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
-  placed.instance.visible = visible;
+  placed.instance.visible = placed.placed.visible = visible;
   placed.changes.pose = next_change();
 }
 
 void Scene::set_profile(InstanceId id, const std::optional<ScatterProfile>& profile) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
-  std::optional<ScatterProfile> sum;
-  if (profile) sum = gaussians::checked_profile(*profile);
-  placed.profile = std::move(sum);
+  placed.placed.profile = checked_profile(profile);
   placed.instance.profile = profile;
   placed.changes.material = next_change();
 }
@@ -200,6 +210,7 @@ void Scene::set_mix(InstanceId id, std::optional<double> mix) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
   check_mix(mix);
   placed.instance.mix = mix;
+  placed.placed.mix = float_of(mix);
   placed.changes.material = next_change();
 }
 
@@ -207,12 +218,13 @@ void Scene::set_tint(InstanceId id, const std::array<double, 3>& tint) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
   check_tint(tint);
   placed.instance.tint = tint;
+  placed.placed.tint = glm::vec3(api::vector_of(tint));
   placed.changes.material = next_change();
 }
 
 void Scene::set_pose(InstanceId id, const std::optional<RigPose>& pose) {
   State::PlacedInstance& placed = *find(state_->instances, id, "instance");
-  placed.posed = api::posed_asset(*Asset::State::of(placed.instance.asset), pose);
+  placed.placed.posed = api::posed_asset(*Asset::State::of(placed.instance.asset), pose);
   placed.instance.pose = pose;
   placed.changes.rig = next_change();
   if (std::any_of(state_->lights.begin(), state_->lights.end(), [&](const State::PlacedLight& light) {
@@ -280,10 +292,10 @@ Light light_now(const Scene::State& scene, const Scene::State::PlacedLight& plac
   Light light = placed.light.light;
   if (!placed.carrier) return light;
   const auto& instance = *find(scene.instances, placed.carrier->instance, "instance");
-  if (!instance.posed) return light;
+  if (!instance.placed.posed) return light;
 
   scene::Light moved;
-  scene::stand_at(instance.posed->rig.lights.at(placed.carrier->number), moved);
+  scene::stand_at(instance.placed.posed->rig.lights.at(placed.carrier->number), moved);
   light.position_m = array_of(moved.position_m);
   light.direction = array_of(moved.direction);
   return light;
@@ -302,7 +314,7 @@ Light light_of(const scene::Light& light) {
           .radius = light.radius};
 }
 
-scene::Light placed_light(const Light& light, const setup::Pose& pose) {
+scene::Light placed_light(const Light& light, const setup::Similarity& world_from_rig) {
   constexpr double radians_per_degree = std::numbers::pi / 180;
   glm::dvec3 direction = vector_of(light.direction);
   // A direction of unit length stays as it is, to the bit.
@@ -310,12 +322,12 @@ scene::Light placed_light(const Light& light, const setup::Pose& pose) {
 
   // A rig grows with its head, and what arrives from its lamps stays.
   const bool near = light.type != LightType::directional;
-  const float scale = near ? pose.scale : 1;
+  const float scale = near ? world_from_rig.scale : 1;
   return {.name = light.name,
           .type = light.type,
           .colour = glm::vec3(vector_of(light.colour)) * scale * scale,
-          .position_m = pose.position(glm::vec3(vector_of(light.position_m))),
-          .direction = pose.direction(glm::vec3(direction)),
+          .position_m = world_from_rig.position(glm::vec3(vector_of(light.position_m))),
+          .direction = world_from_rig.direction(glm::vec3(direction)),
           .range_m = static_cast<float>(light.range_m) * scale,
           .inner_cone_rad = static_cast<float>(light.inner_cone_deg * radians_per_degree),
           .outer_cone_rad = static_cast<float>(light.outer_cone_deg * radians_per_degree),
@@ -327,21 +339,15 @@ setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::Bou
   setup::PlacedScene placed{.name = scene.name(), .instances = {}, .lights = {}};
   for (std::size_t i = 0; i < state.instances.size(); ++i) {
     const Scene::State::PlacedInstance& from = state.instances[i];
-    setup::PlacedAsset& to = placed.instances.emplace_back();
+    setup::PlacedAsset& to = placed.instances.emplace_back(from.placed);
     to.asset = Asset::State::of(from.instance.asset);
     to.sphere = spheres.at(i);
-    to.pose = from.pose;
-    to.posed = from.posed;
     to.posed_change = from.changes.rig;
-    to.visible = from.instance.visible;
-    to.profile = from.profile;
-    if (from.instance.mix) to.mix = static_cast<float>(*from.instance.mix);
-    to.tint = glm::vec3(vector_of(from.instance.tint));
   }
 
   for (const Scene::State::PlacedLight& light : state.lights) {
-    setup::Pose rig;
-    if (light.light.rig) rig = find(state.instances, *light.light.rig, "instance")->pose;
+    setup::Similarity rig;
+    if (light.light.rig) rig = find(state.instances, *light.light.rig, "instance")->placed.world_from_asset;
     placed.lights.push_back(placed_light(light_now(state, light), rig));
   }
   return placed;

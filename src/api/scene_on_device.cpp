@@ -244,7 +244,7 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
     if (sky) known.add(key_of(sky->asset, sky->sky.world_from_asset), sky);
   for (std::size_t i = 0; i < assets_.size(); ++i) {
     if (!shown[i]) continue;
-    const glm::mat3& rotation = scene.instances[i].pose.rotation;
+    const glm::mat3& rotation = scene.instances[i].world_from_asset.rotation;
     const auto matches = [&](const SharedSky& sky) {
       return sky.asset == assets_[i] && sky.sky.is_of(*environment, rotation_deg, rotation);
     };
@@ -261,8 +261,8 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
   }
 }
 
-std::vector<setup::InstanceOnDevice> SceneOnDevice::instances() const {
-  std::vector<setup::InstanceOnDevice> instances;
+std::vector<passes::Instance> SceneOnDevice::instances() const {
+  std::vector<passes::Instance> instances;
   for (std::size_t i = 0; i < assets_.size(); ++i)
     instances.push_back({.scene = &*assets_[i]->gpu,
                          .look = &looks_[i]->look,

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "dermis/asset.h"
+#include "passes/frame_data.h"
 #include "passes/gpu_scene.h"
 #include "setup/environment_light.h"
-#include "setup/frame_data.h"
+#include "setup/frame_setup.h"
 #include "setup/subject.h"
 
 namespace dermis::api {
@@ -74,7 +75,7 @@ class SceneOnDevice {
               const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before,
               const setup::HostSetup* host = nullptr);
 
-  std::vector<setup::InstanceOnDevice> instances() const;  ///< after upload()
+  std::vector<passes::Instance> instances() const;  ///< after upload(): assets, looks and skies alone
 
  private:
   void make_looks(gpu::Device& device, const setup::PlacedScene& scene, const RenderSettings& settings,

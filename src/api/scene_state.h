@@ -17,9 +17,7 @@ struct Scene::State {
   struct PlacedInstance {
     InstanceId id{};
     Instance instance;
-    setup::Pose pose;                                ///< of world_from_asset
-    std::shared_ptr<const setup::PosedAsset> posed;  ///< of Instance::pose
-    std::optional<ScatterProfile> profile;
+    setup::PlacedAsset placed;  ///< the same, checked and converted; without asset and sphere
     InstanceChanges changes;
   };
   /// Of a light of a file: the instance whose poses move it, and its number in the asset.
@@ -65,7 +63,7 @@ Light light_now(const Scene::State& scene, const Scene::State::PlacedLight& plac
 /// Returns a light of an asset or of a rig, in its coordinates.
 Light light_of(const scene::Light& light);
 /// Returns the light of a rig or of the world, in the world.
-scene::Light placed_light(const Light& light, const setup::Pose& world_from_rig);
+scene::Light placed_light(const Light& light, const setup::Similarity& world_from_rig);
 
 }  // namespace api
 }  // namespace dermis

@@ -17,7 +17,8 @@ class Casters {
  public:
   /// `posed`: of a head in a pose, else null. `deformed`: a host moves its vertices, which may leave the body
   /// between the corners; only its sphere is known.
-  Casters(const Subject& subject, const PosedAsset* posed, const Pose& pose, bool deformed = false);
+  Casters(const Subject& subject, const PosedAsset* posed, const Similarity& world_from_asset,
+          bool deformed = false);
   Casters(const Casters&) = delete;
   Casters& operator=(const Casters&) = delete;
 

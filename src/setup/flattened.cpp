@@ -8,7 +8,7 @@ namespace dermis::setup {
 namespace {
 
 bool is_as_its_asset(const PlacedAsset& instance) {
-  return instance.visible && instance.pose.is_identity() && !instance.profile && !instance.mix &&
+  return instance.visible && instance.world_from_asset.is_identity() && !instance.profile && !instance.mix &&
          !instance.posed && instance.tint == glm::vec3(1);
 }
 
@@ -24,14 +24,14 @@ scene::Material dressed(scene::Material material, const PlacedAsset& instance) {
   if (instance.mix) material.skin_settings.mix = instance.mix;
   material.base_colour *= glm::vec4(instance.tint, 1);
   // Bumps grow with the head.
-  material.skin_settings.displacement_mm *= instance.pose.scale;
+  material.skin_settings.displacement_mm *= instance.world_from_asset.scale;
   return material;
 }
 
 // Vertices of skin and of what has one copy are moved; shared meshes have their placements moved.
-void move(scene::Primitive& primitive, const Pose& pose) {
+void move(scene::Primitive& primitive, const Similarity& world_from_asset) {
   for (scene::Placement& placement : primitive.placements) {
-    const glm::mat4x3 m = pose.matrix();
+    const glm::mat4x3 m = world_from_asset.matrix();
     const glm::dmat4 world(glm::dvec4(m[0], 0), glm::dvec4(m[1], 0), glm::dvec4(m[2], 0),
                            glm::dvec4(m[3], 1));
     const glm::dmat4x3& old = placement.world_from_mesh;
@@ -41,9 +41,9 @@ void move(scene::Primitive& primitive, const Pose& pose) {
   if (!primitive.placements.empty()) return;
 
   for (scene::Vertex& vertex : primitive.vertices) {
-    vertex.position_m = pose.position(vertex.position_m);
-    vertex.normal = pose.direction(vertex.normal);
-    vertex.tangent = glm::vec4(pose.direction(glm::vec3(vertex.tangent)), vertex.tangent.w);
+    vertex.position_m = world_from_asset.position(vertex.position_m);
+    vertex.normal = world_from_asset.direction(vertex.normal);
+    vertex.tangent = glm::vec4(world_from_asset.direction(glm::vec3(vertex.tangent)), vertex.tangent.w);
   }
 }
 
@@ -86,7 +86,7 @@ std::shared_ptr<const scene::Scene> flattened(const PlacedScene& scene) {
       if (primitive.node >= 0) primitive.node += first_node;
       for (scene::Placement& placement : primitive.placements)
         if (placement.node >= 0) placement.node += first_node;
-      move(primitive, instance.pose);
+      move(primitive, instance.world_from_asset);
       flat->primitives.push_back(std::move(primitive));
     }
     first_node += greatest_node(asset) + 1;

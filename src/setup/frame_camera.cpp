@@ -92,10 +92,10 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
 }
 
 double pixels_per_mm(const Subject& subject, const RenderSettings& s, const scene::Camera& camera,
-                     const Pose& pose, const PosedAsset* posed) {
+                     const Similarity& world_from_asset, const PosedAsset* posed) {
   if (camera.orthographic) {
     const double pixels = s.output.height * density_across(s, camera);
-    return pixels / (2.0 * camera.ymag_m * subject.scene->mm_per_unit) * double{pose.scale};
+    return pixels / (2.0 * camera.ymag_m * subject.scene->mm_per_unit) * double{world_from_asset.scale};
   }
 
   // In the asset, where lengths are in the same proportion.
@@ -106,7 +106,7 @@ double pixels_per_mm(const Subject& subject, const RenderSettings& s, const scen
     low_m -= glm::ceil((low_m - posed->skin.low_m) / step_m) * step_m;
     high_m += glm::ceil((posed->skin.high_m - high_m) / step_m) * step_m;
   }
-  const glm::vec3 eye_m = pose.position_in_asset(glm::vec3(camera.world_from_camera[3]));
+  const glm::vec3 eye_m = world_from_asset.position_in_asset(glm::vec3(camera.world_from_camera[3]));
   const glm::vec3 nearest_m = glm::clamp(eye_m, low_m, high_m);
   const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
   if (!(d > 0)) return std::numeric_limits<double>::infinity();
@@ -127,8 +127,9 @@ std::vector<int> paper_sides(const RenderSettings& s) {
   return sides;
 }
 
-bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose, const PosedAsset* posed) {
-  const scene::BoundingSphere sphere = pose.sphere(posed ? posed->all.sphere : subject.casters);
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Similarity& world_from_asset,
+             const PosedAsset* posed) {
+  const scene::BoundingSphere sphere = world_from_asset.sphere(posed ? posed->all.sphere : subject.casters);
   const glm::vec4 centre(sphere.centre_m, 1);
   return std::all_of(std::begin(camera.planes), std::end(camera.planes),
                      [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -sphere.radius_m; });

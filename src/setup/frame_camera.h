@@ -27,7 +27,7 @@ double reference_distance(const Subject& subject, const RenderSettings& settings
 /// small. Infinity if the eye is inside. A d_ref that the settings give stands for that of the picture.
 /// `posed`: of a head in a pose, whose box is that of the pose.
 double pixels_per_mm(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
-                     const Pose& pose, const PosedAsset* posed = nullptr);
+                     const Similarity& world_from_asset, const PosedAsset* posed = nullptr);
 
 /// Returns T of a head as [JG08] sec. 4 has it: min(d_ref / d, 1) T_max, where a texel is as large as a
 /// pixel, rounded up to 32 texels.
@@ -37,7 +37,7 @@ int paper_side(const Subject& subject, const RenderSettings& settings, double pi
 std::vector<int> paper_sides(const RenderSettings& settings);
 
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
-bool in_view(const Subject& subject, const io::CameraIo& camera, const Pose& pose,
+bool in_view(const Subject& subject, const io::CameraIo& camera, const Similarity& world_from_asset,
              const PosedAsset* posed = nullptr);
 
 /// Returns pixels that hold all that a head may show, of a picture of `size` pixels: the corners of a body

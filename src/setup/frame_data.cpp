@@ -11,12 +11,12 @@
 
 namespace dermis::setup {
 
-io::InstanceIo instance_io(const Pose& pose) {
-  return {.x_axis = pose.rotation[0],
-          .y_axis = pose.rotation[1],
-          .z_axis = pose.rotation[2],
-          .origin_m = pose.origin_m,
-          .scale = pose.scale};
+io::InstanceIo instance_io(const Similarity& world_from_asset) {
+  return {.x_axis = world_from_asset.rotation[0],
+          .y_axis = world_from_asset.rotation[1],
+          .z_axis = world_from_asset.rotation[2],
+          .origin_m = world_from_asset.origin_m,
+          .scale = world_from_asset.scale};
 }
 
 namespace {
@@ -32,12 +32,11 @@ io::LampsIo add_lamps(gpu::FrameMemory& memory, const HeadSetup& head) {
           .shadow_matrices = texels(matrices.offset) - first_layer * texels(sizeof(glm::mat4))};
 }
 
-passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
-  passes::Instance instance;
+void place(passes::Instance& instance, gpu::FrameMemory& memory, const HeadSetup& head) {
   instance.number = static_cast<std::uint32_t>(head.number);
-  instance.world_from_asset = head.pose.matrix();
+  instance.world_from_asset = head.world_from_asset.matrix();
   instance.middle_m = head.middle_m;
-  const io::HeadIo io{.instance = instance_io(head.pose), .lamps = add_lamps(memory, head)};
+  const io::HeadIo io{.instance = instance_io(head.world_from_asset), .lamps = add_lamps(memory, head)};
   instance.io = memory.add(std::span<const io::HeadIo>(&io, 1));
   instance.map_side = head.detail.side;
   instance.visible = head.visible;
@@ -45,14 +44,13 @@ passes::Instance instance_of(gpu::FrameMemory& memory, const HeadSetup& head) {
   instance.first_shadow_layer = head.first_shadow_layer;
   instance.shadow_from_world = head.shadow_from_world;
   instance.host_shadows = head.host_shadows;
-  return instance;
 }
 
 }  // namespace
 
 passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
                              const techniques::FrameOutputs& outputs,
-                             std::span<const InstanceOnDevice> instances,
+                             std::span<const passes::Instance> instances,
                              const EnvironmentLight* environment) {
   passes::FrameData data;
   data.camera = setup.frame.camera;
@@ -63,18 +61,14 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
 
   for (const HeadSetup& head : setup.heads) {
     if (head.drawn) data.heads = joined(data.heads, moved(head.area, setup.frame.picture_low));
-    passes::Instance instance = instance_of(memory, head);
-    const InstanceOnDevice& on_device = instances[head.instance];
-    instance.scene = on_device.scene;
-    instance.look = on_device.look;
-    instance.sky = on_device.sky;
+    passes::Instance& instance = data.instances.emplace_back(instances[head.instance]);
+    place(instance, memory, head);
     instance.first_mesh = setup.plan.models[head.model].first_mesh;
     if (!outputs.map_places.empty()) {
-      instance.map_places = outputs.map_places[data.instances.size()];
+      instance.map_places = outputs.map_places[data.instances.size() - 1];
       instance.mapped_terms =
           techniques::mapped_terms_of(setup.plan, setup.plan.models[head.model], head.detail);
     }
-    data.instances.push_back(std::move(instance));
   }
   return data;
 }

@@ -12,21 +12,15 @@
 
 namespace dermis::setup {
 
-/// An instance of the scene on the device.
-struct InstanceOnDevice {
-  const passes::GpuScene* scene = nullptr;
-  const passes::GpuLook* look = nullptr;
-  std::span<const passes::SkyMaps> sky;  ///< as passes::Instance
-};
-
-io::InstanceIo instance_io(const Pose& pose);
+io::InstanceIo instance_io(const Similarity& world_from_asset);
 
 /// Writes what passes read while they record a frame of `setup`: camera, lights, poses, and where light lies
-/// in the maps of `outputs`, which its plan has made. `memory`, `instances`, by their numbers in the scene,
-/// and `environment`, which may be null, must outlive the result.
+/// in the maps of `outputs`, which its plan has made. `instances`, by their numbers in the scene, know
+/// their assets, looks and skies. What they point to, `memory` and `environment`, which may be null, must
+/// outlive the result.
 passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
                              const techniques::FrameOutputs& outputs,
-                             std::span<const InstanceOnDevice> instances,
+                             std::span<const passes::Instance> instances,
                              const EnvironmentLight* environment);
 
 }  // namespace dermis::setup

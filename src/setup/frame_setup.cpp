@@ -60,28 +60,47 @@ const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
   return found == host->shadows.end() ? nullptr : &*found;
 }
 
-bool is_deformed(const HostSetup* host, const PlacedHead& placed) {
+bool is_deformed(const HostSetup* host, const HeadSetup& head) {
   return host &&
-         std::find(host->deformed.begin(), host->deformed.end(), placed.instance) != host->deformed.end();
+         std::find(host->deformed.begin(), host->deformed.end(), head.instance) != host->deformed.end();
 }
 
-std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Subject* const> subjects,
-                                    const std::vector<PlacedHead>& placed_heads, const RenderSettings& s,
-                                    const scene::Camera& camera, const io::CameraIo& frame_camera,
-                                    const std::vector<scene::Light>& lights, const HostSetup* host) {
+/// Returns the instances, or the row of camera.heads of a single one.
+std::vector<HeadSetup> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
   std::vector<HeadSetup> heads;
+  const auto add = [&](const Similarity& world_from_asset, std::size_t instance) -> HeadSetup& {
+    return heads.emplace_back(HeadSetup{.number = static_cast<int>(heads.size()),
+                                        .instance = instance,
+                                        .world_from_asset = world_from_asset,
+                                        .lights = {},
+                                        .shadow_from_world = {}});
+  };
+  if (s.camera.heads == 1) {
+    for (const PlacedAsset& instance : scene.instances) add(instance.world_from_asset, heads.size());
+    return heads;
+  }
+
+  if (scene.instances.size() > 1)
+    throw input_error("", "camera.heads must be 1 for a scene of {} instances, got {}",
+                      scene.instances.size(), s.camera.heads);
+  const PlacedAsset& one = scene.instances.front();
+  const float radius_m = one.world_from_asset.sphere(one.sphere).radius_m;
+  for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, radius_m))
+    add(one.world_from_asset, 0).world_from_asset.origin_m += offset;
+  return heads;
+}
+
+void set_up_heads(std::vector<HeadSetup>& heads, const PlacedScene& scene,
+                  std::span<const Subject* const> subjects, const RenderSettings& s,
+                  const scene::Camera& camera, const io::CameraIo& frame_camera,
+                  const std::vector<scene::Light>& lights, const HostSetup* host) {
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
-  for (const PlacedHead& placed : placed_heads) {
-    const Subject& subject = *subjects[placed.instance];
-    const PosedAsset* posed = scene.instances[placed.instance].posed.get();
-    HeadSetup head{.number = static_cast<int>(heads.size()),
-                   .instance = placed.instance,
-                   .pose = placed.pose,
-                   .middle_m = placed.pose.position((posed ? posed->skin : subject.bounds).sphere.centre_m),
-                   .lights = {},
-                   .shadow_from_world = {}};
-    const Casters casters(subject, posed, placed.pose, is_deformed(host, placed));
+  for (HeadSetup& head : heads) {
+    const Subject& subject = *subjects[head.instance];
+    const PosedAsset* posed = scene.instances[head.instance].posed.get();
+    head.middle_m = head.world_from_asset.position((posed ? posed->skin : subject.bounds).sphere.centre_m);
+    const Casters casters(subject, posed, head.world_from_asset, is_deformed(host, head));
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
@@ -99,17 +118,15 @@ std::vector<HeadSetup> set_up_heads(const PlacedScene& scene, std::span<const Su
     }
 
     if (!subject.skin.empty())
-      head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, placed.pose, posed);
-    head.visible = scene.instances[placed.instance].visible &&
-                   (!skip || in_view(subject, frame_camera, placed.pose, posed));
+      head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, head.world_from_asset, posed);
+    head.visible = scene.instances[head.instance].visible &&
+                   (!skip || in_view(subject, frame_camera, head.world_from_asset, posed));
     // A host may move vertices anywhere.
     const glm::uvec2 size(s.output.width, s.output.height);
     if (head.visible)
-      head.area = is_deformed(host, placed) ? passes::PixelArea{glm::uvec2(0), size}
-                                            : area_of(casters.bounds(), frame_camera, size);
-    heads.push_back(std::move(head));
+      head.area = is_deformed(host, head) ? passes::PixelArea{glm::uvec2(0), size}
+                                          : area_of(casters.bounds(), frame_camera, size);
   }
-  return heads;
 }
 
 // Sorts far to near, so that what is blended is drawn over what lies behind it. Where one batch holds all
@@ -400,8 +417,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   DERMIS_ASSERT_EQ(subjects.size(), scene.instances.size());
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
-  const std::vector<PlacedHead> placed = placed_heads(scene, s);
   const HeadSpheres spheres = head_spheres(scene, s);
+  setup.heads = placed_heads(scene, s);
 
   const scene::Camera camera = choose_camera(scene, s, spheres);
   setup.frame.camera = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
@@ -415,7 +432,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   setup.lights = static_cast<int>(lights.size());
   setup.environment_lights = environment_lights ? static_cast<int>(environment_lights->size()) : 0;
 
-  setup.heads = set_up_heads(scene, subjects, placed, s, camera, setup.frame.camera, lights, host);
+  set_up_heads(setup.heads, scene, subjects, s, camera, setup.frame.camera, lights, host);
   set_up_models(setup, scene, subjects, s);
   if (host) {
     setup.plan.host = host->part;

@@ -20,10 +20,11 @@ namespace dermis::setup {
 /// before anything is made or read for them.
 void check_settings(const RenderSettings& settings);
 
+/// A head of a frame: an instance, or one of a row of them.
 struct HeadSetup {
   int number = 0;            ///< among the heads of the scene
   std::size_t instance = 0;  ///< of the scene
-  Pose pose;
+  Similarity world_from_asset;
   std::uint32_t model = 0;  ///< of the plan
   glm::vec3 middle_m{0};    ///< of its skin
   std::vector<io::LightIo> lights;
@@ -87,11 +88,11 @@ struct HostSetup {
 
 /// Decides what a frame needs. `settings` have passed check_settings(): who calls this checks them before
 /// reading surroundings. `subjects`: one per instance. `environment_lights`: besides those that the settings
-/// choose; none: there is no environment, light from everywhere is uniform. Throws InputError: see
-/// placed_heads() and choose_camera(); or a map budget that does not hold one head. With a `host`, the frame
-/// is for its targets: the plan does not depend on the size of the picture, and the matrices of the camera
-/// are the host's, depth included. With `every_view` the plan serves every camera; else this one, and takes
-/// no more memory for light maps than its heads use.
+/// choose; none: there is no environment, light from everywhere is uniform. Throws InputError: no
+/// instance, or a row of several; see choose_camera(); or a map budget that does not hold one head. With a
+/// `host`, the frame is for its targets: the plan does not depend on the size of the picture, and the
+/// matrices of the camera are the host's, depth included. With `every_view` the plan serves every camera;
+/// else this one, and takes no more memory for light maps than its heads use.
 FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects,
                   const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::optional<std::vector<scene::Light>>& environment_lights = {},

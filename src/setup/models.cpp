@@ -145,7 +145,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
   for (HeadSetup& head : setup.heads) {
     const PlacedAsset& instance = scene.instances[head.instance];
     const ModelKey key{.subject = subjects[head.instance],
-                       .scale = head.pose.scale,
+                       .scale = head.world_from_asset.scale,
                        .profile = for_all ? for_all : instance.profile,
                        .posed = instance.posed ? std::optional(head.instance) : std::nullopt};
     auto& alike = known[{key.subject, key.scale, key.posed.has_value(), key.posed.value_or(0)}];

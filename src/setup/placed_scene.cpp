@@ -15,14 +15,14 @@ namespace {
 
 constexpr double most_skew = 1e-4;  // of a rigid transform, relative
 
-scene::Camera placed(scene::Camera camera, const Pose& pose) {
-  glm::mat4 rigid(pose.rotation);
-  rigid[3] = glm::vec4(pose.origin_m, 1);
-  camera.world_from_camera[3] = glm::vec4(glm::vec3(camera.world_from_camera[3]) * pose.scale, 1);
+scene::Camera placed(scene::Camera camera, const Similarity& world_from_asset) {
+  glm::mat4 rigid(world_from_asset.rotation);
+  rigid[3] = glm::vec4(world_from_asset.origin_m, 1);
+  camera.world_from_camera[3] = glm::vec4(glm::vec3(camera.world_from_camera[3]) * world_from_asset.scale, 1);
   camera.world_from_camera = rigid * camera.world_from_camera;
-  camera.znear_m *= pose.scale;
-  camera.ymag_m *= pose.scale;
-  if (camera.zfar_m) *camera.zfar_m *= pose.scale;
+  camera.znear_m *= world_from_asset.scale;
+  camera.ymag_m *= world_from_asset.scale;
+  if (camera.zfar_m) *camera.zfar_m *= world_from_asset.scale;
   return camera;
 }
 
@@ -46,20 +46,20 @@ void require_instances(const PlacedScene& scene) {
 
 }  // namespace
 
-glm::vec3 Pose::position_in_asset(const glm::vec3& p_m) const {
+glm::vec3 Similarity::position_in_asset(const glm::vec3& p_m) const {
   return glm::transpose(rotation) * (p_m - origin_m) / scale;
 }
 
-scene::BoundingSphere Pose::sphere(const scene::BoundingSphere& s) const {
+scene::BoundingSphere Similarity::sphere(const scene::BoundingSphere& s) const {
   return {position(s.centre_m), s.radius_m * scale};
 }
 
-glm::mat4x3 Pose::matrix() const {
+glm::mat4x3 Similarity::matrix() const {
   const glm::mat3 scaled = rotation * scale;
   return {scaled[0], scaled[1], scaled[2], origin_m};
 }
 
-std::optional<Pose> pose_of(const std::array<double, 16>& m) {
+std::optional<Similarity> similarity_of(const std::array<double, 16>& m) {
   const auto column = [&](std::size_t c) { return glm::dvec3(m[4 * c], m[4 * c + 1], m[4 * c + 2]); };
   if (!std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); })) return {};
   if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) return {};
@@ -81,30 +81,9 @@ std::optional<Pose> pose_of(const std::array<double, 16>& m) {
       if (!(std::abs(squared[c][r] - (c == r ? 1 : 0)) <= most_skew)) return {};
 
   if (scale < 1e-3 || scale > 1e3 || !(glm::length(column(3)) <= 1e9)) return {};
-  return Pose{.rotation = glm::mat3(orthonormal(rotation)),
-              .scale = static_cast<float>(scale),
-              .origin_m = glm::vec3(column(3))};
-}
-
-std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
-  require_instances(scene);
-  std::vector<PlacedHead> heads;
-  if (s.camera.heads > 1) {
-    if (scene.instances.size() > 1)
-      throw input_error("", "camera.heads must be 1 for a scene of {} instances, got {}",
-                        scene.instances.size(), s.camera.heads);
-    const PlacedAsset& one = scene.instances.front();
-    const float radius_m = one.pose.sphere(one.sphere).radius_m;
-    for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, radius_m)) {
-      PlacedHead& head = heads.emplace_back(PlacedHead{.instance = 0, .pose = one.pose});
-      head.pose.origin_m += offset;
-    }
-    return heads;
-  }
-
-  for (const PlacedAsset& instance : scene.instances)
-    heads.push_back({.instance = heads.size(), .pose = instance.pose});
-  return heads;
+  return Similarity{.rotation = glm::mat3(orthonormal(rotation)),
+                    .scale = static_cast<float>(scale),
+                    .origin_m = glm::vec3(column(3))};
 }
 
 HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
@@ -112,7 +91,7 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   HeadSpheres spheres;
   const PlacedAsset& first = scene.instances.front();
   if (scene.instances.size() == 1) {
-    spheres.middle = first.pose.sphere(first.sphere);
+    spheres.middle = first.world_from_asset.sphere(first.sphere);
     spheres.lit = spheres.middle;
     spheres.framed = {spheres.middle};
     spheres.offsets_m = scene::head_row_offsets(s.camera.heads, spheres.middle.radius_m);
@@ -124,7 +103,7 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   glm::vec3 low(INFINITY), high(-INFINITY);
   for (const PlacedAsset& instance : scene.instances) {
     if (!instance.visible && any_visible) continue;
-    const scene::BoundingSphere sphere = instance.pose.sphere(instance.sphere);
+    const scene::BoundingSphere sphere = instance.world_from_asset.sphere(instance.sphere);
     low = glm::min(low, sphere.centre_m - sphere.radius_m);
     high = glm::max(high, sphere.centre_m + sphere.radius_m);
     spheres.middle.radius_m = std::max(spheres.middle.radius_m, sphere.radius_m);
@@ -152,7 +131,7 @@ std::vector<scene::Camera> placed_cameras(const PlacedScene& scene) {
     for (std::size_t i = 0; i < instance.asset->cameras.size(); ++i) {
       scene::Camera camera = instance.asset->cameras[i];
       if (instance.posed) scene::stand_at(instance.posed->rig.cameras.at(i), camera);
-      cameras.push_back(placed(camera, instance.pose));
+      cameras.push_back(placed(camera, instance.world_from_asset));
     }
   return cameras;
 }

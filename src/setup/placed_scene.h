@@ -17,7 +17,7 @@
 namespace dermis::setup {
 
 /// From the coordinates of an asset to the world: a rotation, one scale, then a shift.
-struct Pose {
+struct Similarity {
   glm::mat3 rotation{1};
   float scale = 1;
   glm::vec3 origin_m{0};
@@ -28,13 +28,13 @@ struct Pose {
   glm::vec3 position_in_asset(const glm::vec3& p_m) const;
   scene::BoundingSphere sphere(const scene::BoundingSphere& s) const;
   glm::mat4x3 matrix() const;
-  bool is_identity() const { return *this == Pose{}; }
-  bool operator==(const Pose&) const = default;
+  bool is_identity() const { return *this == Similarity{}; }
+  bool operator==(const Similarity&) const = default;
 };
 
-/// Returns the pose of a column-major 4x4 matrix; none unless it is rigid to 1e-4, with one scale of 1e-3 to
+/// Returns that of a column-major 4x4 matrix; none unless it is rigid to 1e-4, with one scale of 1e-3 to
 /// 1e3. Scales are rounded to 1e-5, so that the roundings of a host's floats make no difference.
-std::optional<Pose> pose_of(const std::array<double, 16>& world_from_asset);
+std::optional<Similarity> similarity_of(const std::array<double, 16>& world_from_asset);
 
 /// An asset in a pose of its joints and morph targets, in its own coordinates.
 struct PosedAsset {
@@ -46,7 +46,7 @@ struct PosedAsset {
 struct PlacedAsset {
   std::shared_ptr<const scene::Scene> asset;
   scene::BoundingSphere sphere;  ///< of the asset's skin as it was loaded, in its own coordinates
-  Pose pose;
+  Similarity world_from_asset;
   std::shared_ptr<const PosedAsset> posed;  ///< null: as the asset was loaded
   std::uint64_t posed_change = 0;           ///< InstanceChanges::rig
   bool visible = true;
@@ -61,16 +61,6 @@ struct PlacedScene {
   std::vector<PlacedAsset> instances;
   std::vector<scene::Light> lights;  ///< in the world
 };
-
-/// A head of a frame: an instance, or one of a row of them.
-struct PlacedHead {
-  std::size_t instance = 0;
-  Pose pose;
-};
-
-/// Returns the instances, or the row of camera.heads of a single one. Throws InputError: no instance, or a
-/// row of several.
-std::vector<PlacedHead> placed_heads(const PlacedScene& scene, const RenderSettings& settings);
 
 /// Spheres around the skin of the heads, by which cameras and rigs are placed.
 struct HeadSpheres {

@@ -123,9 +123,9 @@ Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
     for (scene::Material& material : copy->materials)
       if (material.skin)
         material.skin_settings.profile =
-            gaussians::one_gaussian(setup::choose_profile(material, s, placed.profile));
+            gaussians::one_gaussian(setup::choose_profile(material, s, placed.placed.profile));
     placed.instance.asset = Asset::State::make(std::move(copy));
-    placed.profile.reset();
+    placed.placed.profile.reset();
   }
   return Scene::State::make(std::move(state));
 }

@@ -123,10 +123,10 @@ std::vector<std::array<double, 3>> Landmarks::positions_m(const Scene& scene, In
                       static_cast<std::uint32_t>(id), state_->asset->name);
 
   const auto in_asset_m = [&](const landmarks::KeptVertex& kept) {
-    return instance->posed
-               ? scene::posed_position_m(*state_->asset, instance->posed->rig, kept.primitive, kept.vertex)
-               : glm::dvec3(
-                     scene::world_position_m(state_->asset->primitives[kept.primitive], 0, kept.vertex));
+    return instance->placed.posed ? scene::posed_position_m(*state_->asset, instance->placed.posed->rig,
+                                                            kept.primitive, kept.vertex)
+                                  : glm::dvec3(scene::world_position_m(
+                                        state_->asset->primitives[kept.primitive], 0, kept.vertex));
   };
   const std::array<double, 16>& m = instance->instance.world_from_asset;
   std::vector<std::array<double, 3>> positions_m;

@@ -257,7 +257,7 @@ Scene load_scene_file(const json::Value& root, const fs::path& path, const Scene
     Scene::State::PlacedInstance& placed = state.instances[i];
     placed.instance.asset = found->second;
     placed.instance.pose = file.pose_of_instance[i];
-    placed.posed = posed_asset(*Asset::State::of(found->second), placed.instance.pose);
+    placed.placed.posed = posed_asset(*Asset::State::of(found->second), placed.instance.pose);
   }
   return Scene::State::make(std::move(state));
 }

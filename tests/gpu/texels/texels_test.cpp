@@ -76,7 +76,7 @@ class Frames {
       scene_->make_gutters(bench()->device, size.mesh, subject_.skin[size.mesh], size.side,
                            size.width_texels);
     memory_.clear();
-    const setup::InstanceOnDevice instance{.scene = scene_.get(), .look = &look_, .sky = {}};
+    const passes::Instance instance{.scene = scene_.get(), .look = &look_, .sky = {}};
     passes::FrameData data = setup::frame_data(memory_, setup_, outputs_, std::span(&instance, 1), nullptr);
     data.kept_texels = &kept_;
     drawn_before_ = kept_.drawn();
