@@ -18,11 +18,12 @@ struct Barrier {
   bool first_use = false;  ///< first use in the frame: its source is the last use of the previous frame
 };
 
-/// Returns the barriers before each pass. The graph repeats frame after frame on one queue, so the first use
-/// of a resource waits for its last use in the previous frame. Transient contents are discarded (old layout
-/// undefined). Persistent ones keep their layout: the recorder replaces the old layout of a first use by the
-/// current layout of the texture, undefined in the first frame. The lists of passes that a frame of this kind
-/// does not have are empty.
+/// Returns the barriers before each pass, at as few passes as will do: those of a pass stand earlier, beside
+/// others, where no pass in between touches what they are for. The graph repeats frame after frame on one
+/// queue, so the first use of a resource waits for its last use in the previous frame. Transient contents are
+/// discarded (old layout undefined), unless the texture stays in GENERAL. Such and persistent ones keep their
+/// layout: the recorder replaces the old layout of a first use by the current layout of the texture,
+/// undefined in the first frame. The lists of passes that a frame of this kind does not have are empty.
 std::vector<std::vector<Barrier>> derive_barriers(const FrameGraph& graph,
                                                   const FrameKind& kind = whole_frame);
 

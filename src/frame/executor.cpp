@@ -10,6 +10,8 @@ GraphExecutor::GraphExecutor(gpu::PipelineLibrary& library, const FrameGraph& gr
       graph_(graph),
       layouts_(graph.textures().size(), VK_IMAGE_LAYOUT_UNDEFINED),
       separate_(library.device().limits().software || !library.device().limits().timestamps) {
+  for (std::uint32_t i = 0; i < graph.textures().size(); ++i)
+    resources_.sampled_layouts_.push_back(graph.layout_in(i, Access::sampled));
   for (const TextureNode& node : graph.textures())
     if (node.lifetime == Lifetime::of_host)
       resources_.textures_.emplace_back();
@@ -30,16 +32,19 @@ bool GraphExecutor::is_of_host(const Barrier& b) const {
   return b.is_texture && graph_.textures()[b.index].lifetime == Lifetime::of_host;
 }
 
+// The layout in which the frame before left a texture depends on the kind of that frame.
+VkImageLayout GraphExecutor::old_layout(const Barrier& b) const {
+  const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
+  return keeps ? layouts_[b.index] : b.old_layout;
+}
+
 VkImageMemoryBarrier2 GraphExecutor::image_barrier(const Barrier& b) {
   const gpu::Texture& texture = resources_.textures_[b.index];
-  // The layout in which the frame before left a texture depends on the kind of that frame.
-  const bool keeps = b.first_use && b.old_layout != VK_IMAGE_LAYOUT_UNDEFINED;
-  const VkImageLayout old_layout = keeps ? layouts_[b.index] : b.old_layout;
-  layouts_[b.index] = b.new_layout;
   VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
   barrier.srcStageMask = b.source_stages, barrier.srcAccessMask = b.source_access;
   barrier.dstStageMask = b.target_stages, barrier.dstAccessMask = b.target_access;
-  barrier.oldLayout = old_layout, barrier.newLayout = b.new_layout;
+  barrier.oldLayout = old_layout(b), barrier.newLayout = b.new_layout;
+  layouts_[b.index] = b.new_layout;
   barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = texture.handle();
   barrier.subresourceRange = {gpu::aspect_of(texture.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0,
@@ -54,22 +59,25 @@ const GraphExecutor::Barriers& GraphExecutor::barriers_of(const FrameKind& kind)
 }
 
 void GraphExecutor::record_barriers(gpu::Cmd& cmd, const std::vector<Barrier>& barriers) {
+  if (barriers.empty()) return;
   std::vector<VkImageMemoryBarrier2> images;
-  // On one queue a barrier of a buffer has the same effect as one of all memory. A target of the host keeps
-  // its layout, so that it needs no more either.
-  std::vector<VkMemoryBarrier2> buffers;
-  for (const Barrier& b : barriers)
-    if (b.is_texture && !is_of_host(b))
+  // Where no layout changes, one barrier of all memory does what one per resource would, for less. A target
+  // of the host keeps its layout.
+  VkMemoryBarrier2 memory{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+  for (const Barrier& b : barriers) {
+    if (b.is_texture && !is_of_host(b) && old_layout(b) != b.new_layout) {
       images.push_back(image_barrier(b));
-    else
-      buffers.push_back({VK_STRUCTURE_TYPE_MEMORY_BARRIER_2, nullptr, b.source_stages, b.source_access,
-                         b.target_stages, b.target_access});
-  if (!images.empty() || !buffers.empty())
-    cmd.barrier({.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                 .memoryBarrierCount = static_cast<std::uint32_t>(buffers.size()),
-                 .pMemoryBarriers = buffers.data(),
-                 .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
-                 .pImageMemoryBarriers = images.data()});
+      continue;
+    }
+    memory.srcStageMask |= b.source_stages, memory.srcAccessMask |= b.source_access;
+    memory.dstStageMask |= b.target_stages, memory.dstAccessMask |= b.target_access;
+  }
+  const bool waits = memory.dstStageMask != 0;
+  cmd.barrier({.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+               .memoryBarrierCount = waits ? 1u : 0u,
+               .pMemoryBarriers = &memory,
+               .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),
+               .pImageMemoryBarriers = images.data()});
 }
 
 void GraphExecutor::record(VkCommandBuffer commands, const RecordPass& record_pass, FrameKind kind,
@@ -95,8 +103,9 @@ void GraphExecutor::poison() {
   for (std::size_t i = 0; i < resources_.textures_.size(); ++i) {
     const Lifetime lifetime = graph_.textures()[i].lifetime;
     const bool lasts = lifetime == Lifetime::persistent && layouts_[i] != VK_IMAGE_LAYOUT_UNDEFINED;
-    if (!lasts && lifetime != Lifetime::of_host && resources_.textures_[i].desc().samples == 1)
-      gpu::poison(device(), resources_.textures_[i]);
+    if (lasts || lifetime == Lifetime::of_host || resources_.textures_[i].desc().samples > 1) continue;
+    gpu::poison(device(), resources_.textures_[i]);
+    layouts_[i] = VK_IMAGE_LAYOUT_UNDEFINED;
   }
 }
 

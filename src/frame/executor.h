@@ -52,6 +52,7 @@ class GraphExecutor {
  private:
   using Barriers = std::vector<std::vector<Barrier>>;  // by pass
 
+  VkImageLayout old_layout(const Barrier& b) const;
   VkImageMemoryBarrier2 image_barrier(const Barrier& b);
   const Barriers& barriers_of(const FrameKind& kind);
   bool is_of_host(const Barrier& b) const;

@@ -48,6 +48,19 @@ void FrameGraph::read_back(TextureId id) {
   textures_[id.index].desc.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
 }
 
+bool FrameGraph::stays_general(std::uint32_t texture) const {
+  constexpr VkImageUsageFlags fixed = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                      VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  const TextureNode& node = textures_[texture];
+  return node.lifetime == Lifetime::transient && (node.desc.usage & fixed) == 0;
+}
+
+VkImageLayout FrameGraph::layout_in(std::uint32_t texture, Access access) const {
+  return access == Access::sampled && stays_general(texture) ? VK_IMAGE_LAYOUT_GENERAL
+                                                             : row_of(access).layout;
+}
+
 TextureId Declare::create(std::string name, const gpu::TextureDesc& desc, Lifetime lifetime) {
   return graph_->texture(std::move(name), desc, lifetime);
 }

@@ -17,8 +17,12 @@ class Resources {
   const gpu::Texture& texture(TextureId id) const { return at(textures_, id.index); }
   const gpu::Buffer& buffer(BufferId id) const { return at(buffers_, id.index); }
   /// Returns the texture in the layout of sampling passes, read at its nearest texel or between texels.
-  gpu::SampledBinding nearest(TextureId id) const { return {&texture(id), nearest_}; }
-  gpu::SampledBinding linear(TextureId id) const { return linear(texture(id)); }
+  gpu::SampledBinding nearest(TextureId id) const {
+    return {&texture(id), nearest_, at(sampled_layouts_, id.index)};
+  }
+  gpu::SampledBinding linear(TextureId id) const {
+    return {&texture(id), linear_, at(sampled_layouts_, id.index)};
+  }
   gpu::SampledBinding linear(const gpu::Texture& texture) const { return {&texture, linear_}; }
   gpu::StorageImageBinding storage(TextureId id) const { return {&texture(id)}; }
 
@@ -31,6 +35,7 @@ class Resources {
   friend class GraphExecutor;
   std::vector<gpu::Texture> textures_;
   std::vector<gpu::Buffer> buffers_;
+  std::vector<VkImageLayout> sampled_layouts_;  // by texture
   VkSampler nearest_ = VK_NULL_HANDLE, linear_ = VK_NULL_HANDLE;
 };
 

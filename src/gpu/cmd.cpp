@@ -210,8 +210,10 @@ void Cmd::set_viewport(VkRect2D area, bool y_down) {
     viewport.height = -viewport.height;
   }
   device_->vk().vkCmdSetViewport(handle_, 0, 1, &viewport);
-  device_->vk().vkCmdSetScissor(handle_, 0, 1, &area);
+  set_scissor(area);
 }
+
+void Cmd::set_scissor(VkRect2D area) { device_->vk().vkCmdSetScissor(handle_, 0, 1, &area); }
 
 void Cmd::end_rendering() { device_->vk().vkCmdEndRendering(handle_); }
 

@@ -85,6 +85,7 @@ class Cmd {
   void begin_rendering_area(std::span<const ColourTarget> colour, const std::optional<DepthTarget>& depth,
                             VkRect2D area, bool y_down = false);
   void set_viewport(VkRect2D area, bool y_down);  ///< viewport and scissor
+  void set_scissor(VkRect2D area);
   void end_rendering();
   void draw(std::uint32_t vertices, std::uint32_t instances = 1, std::uint32_t first_vertex = 0,
             std::uint32_t first_instance = 0);

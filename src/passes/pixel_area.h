@@ -2,8 +2,10 @@
 /// A rectangle of pixels, beside which there is nothing to compute.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 
+#include "gpu/vulkan.h"
 #include "passes/pixel_area_io.h"
 
 namespace dermis::passes {
@@ -12,6 +14,9 @@ namespace dermis::passes {
 struct PixelArea {
   glm::uvec2 low{0}, high{0};
   glm::uvec2 size() const { return high - low; }
+  VkRect2D rectangle() const {
+    return {{static_cast<std::int32_t>(low.x), static_cast<std::int32_t>(low.y)}, {size().x, size().y}};
+  }
   io::PixelAreaIo io() const { return {.low = low, .size = size()}; }
 };
 

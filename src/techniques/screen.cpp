@@ -112,7 +112,7 @@ std::uint32_t Screen::first_part(const passes::MapSquare& square) const {
   return part;
 }
 
-void Screen::add_entries() {
+void Screen::add_ids() {
   if (!settings_.draws_picture() || !settings_.has_skin()) return;
   first_part_ = {0};
   for (std::uint32_t head = 0; head < settings_.head_count(); ++head)
@@ -121,7 +121,8 @@ void Screen::add_entries() {
   passes::Ids::Settings ids{.samples = settings_.samples,
                             .reversed_depth = settings_.picture_format().reversed_depth,
                             .cut_out = false,
-                            .meshes = {}};
+                            .meshes = {},
+                            .whole = reads_open()};
   for (std::uint32_t head = 0; head < settings_.head_count(); ++head) {
     const Model& model = settings_.model_of(head);
     for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh) {
@@ -134,10 +135,16 @@ void Screen::add_entries() {
   entries_ = passes::make_entry_buffers(*plan_, first_part_.back(), target(passes::light_format));
   // A host's targets cannot be cleared, nor read.
   ids_depth_ = settings_.host ? plan_->texture("depth of ids", target(passes::depth_format)) : depth_;
-  ids_ = plan_->add<passes::Ids>("ids", {ids_depth_, entries_.parts}, ids).ids;
-  plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});
-  plan_->add<passes::PartRanges>("part ranges", {entries_});
-  plan_->add<passes::EntryList>("entry list", {entries_});
+  std::vector<frame::BufferId> cleared = cleared_with_ids_;
+  cleared.push_back(entries_.parts);
+  ids_ = plan_->add<passes::Ids>("ids", {ids_depth_, cleared}, ids).ids;
+  entry_passes_left_ = 2;
+}
+
+void Screen::add_next_of_entries() {
+  if (entry_passes_left_ == 2) plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});
+  if (entry_passes_left_ == 1) plan_->add<passes::EntryList>("entry list", {entries_});
+  entry_passes_left_ = std::max(entry_passes_left_ - 1, 0);
 }
 
 passes::SkinLook Screen::look_of(passes::SkinLook look) const {
@@ -160,6 +167,7 @@ passes::SkinLook Screen::whole_look_of(const passes::MapSquare& square) const {
 
 void Screen::add_skin(const std::vector<SkinOnScreen>& skin, const std::string& name) {
   if (!settings_.draws_picture() || skin.empty()) return;
+  add_entries();
   Together<passes::Shade>::In shade;
   for (const auto& [asked, maps] : skin)
     shade.members.push_back({{{maps, shadow_, entering_}, entries_},
@@ -170,6 +178,7 @@ void Screen::add_skin(const std::vector<SkinOnScreen>& skin, const std::string& 
 void Screen::add_unshaded_reads(const std::vector<SkinOnScreen>& skin, std::uint32_t slot,
                                 const std::string& name) {
   if (!settings_.draws_picture() || settings_.host) return;
+  add_entries();
   Together<passes::UnshadedReads>::In reads;
   for (const auto& [asked, maps] : skin)
     reads.members.push_back({{{maps, shadow_, entering_}, entries_, counters_},
@@ -183,6 +192,7 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
   DERMIS_ASSERT(shaded());
   if (skin.empty()) return;
 
+  add_entries();
   Together<passes::ShadeSplit>::In split;
   for (const passes::MapSquare& square : skin) {
     const auto& [r, g, b] = blurred[square.mesh];
@@ -203,6 +213,7 @@ void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
                                      const std::vector<frame::BufferId>& curvatures,
                                      std::uint32_t shadow_taps, const std::string& name) {
   DERMIS_ASSERT(shaded());
+  add_entries();
   Together<passes::ShadePreIntegrated>::In shade;
   for (const passes::MapSquare& square : skin) {
     const SkinPart& part = settings_.skin[square.mesh];
@@ -242,7 +253,12 @@ void Screen::add_shadows(const Batch& batch) {
 
 void Screen::begin_batch(const Batch& batch) {
   add_shadows(batch);
-  if (batch.number == 0) add_entries();
+  if (batch.number == 0) add_ids();
+}
+
+void Screen::end_batch(const Batch& batch) {
+  add_surfaces(batch);
+  add_blended(batch);
 }
 
 bool Screen::any_head(const Batch& batch, bool Model::*has) const {
@@ -357,11 +373,17 @@ frame::TextureId Screen::add_open_share() {
       .open;
 }
 
+bool Screen::reads_open() const {
+  const passes::Behind& behind = settings_.behind;
+  return !settings_.host &&
+         (behind.is_light() || behind.kind == passes::Behind::Kind::colour || settings_.matte);
+}
+
 void Screen::add_display(FrameOutputs& out) {
   const passes::Behind& behind = settings_.behind;
   const bool is_colour = behind.kind == passes::Behind::Kind::colour;
   frame::TextureId open;
-  if (behind.is_light() || is_colour || settings_.matte) open = add_open_share();
+  if (reads_open()) open = add_open_share();
   if (settings_.matte)
     out.matte =
         plan_->add<passes::Matte>("matte", {open}, {.width = settings_.width, .height = settings_.height})

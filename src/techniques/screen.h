@@ -38,9 +38,16 @@ class Screen {
   /// Returns what is drawn once per head and light.
   std::vector<frame::TextureId> shadow_maps() const;
 
-  /// Adds the shadow maps of a batch, and after those of the first one add_entries(): so a device draws
-  /// before it computes.
+  /// Adds the shadow maps of a batch, and with the first one the ids of all skin: a device draws before it
+  /// computes.
   void begin_batch(const Batch& batch);
+  /// Adds the parts of a batch that are not skin. They take the depth of the ids, which entries are found by.
+  void end_batch(const Batch& batch);
+  /// Clears these buffers with the ids, too. Before begin_batch(); only if the frame draws a picture.
+  void clear_with_ids(const std::vector<frame::BufferId>& buffers) { cleared_with_ids_ = buffers; }
+  /// Adds the next of the passes that find and list what the ids show, if any is left. A technique puts them
+  /// beside passes of its own, to wait at one barrier; the rest is added with the first skin.
+  void add_next_of_entries();
   /// Adds the shadow maps of all lights for the heads of a batch.
   void add_shadows(const Batch& batch);
   /// Adds the shading of skin, in a pass of this name. Needs begin_batch(). Nothing if the frame draws no
@@ -75,11 +82,14 @@ class Screen {
   FrameOutputs finish();
 
  private:
-  /// Finds what the picture shows of the skin of all heads. Nothing if there is none.
-  void add_entries();
+  /// Draws which skin the picture shows, of all heads. Nothing if there is none.
+  void add_ids();
+  void add_entries() {
+    while (entry_passes_left_ > 0) add_next_of_entries();
+  }
   void make_shadow_maps();
   gpu::TextureDesc target(VkFormat format) const;
-  bool shaded() const { return entries_.entries.valid(); }  // add_entries() has been called
+  bool shaded() const { return entries_.entries.valid(); }  // add_ids() has been called
   std::uint32_t first_part(const passes::MapSquare& square) const;
   // Other surfaces are drawn into a layer over it; into a host's targets they are drawn as they are.
   bool layered() const { return shaded() && !settings_.host; }
@@ -89,6 +99,7 @@ class Screen {
   passes::SkinLook look_of(passes::SkinLook asked) const;
   // The same of skin that is wholly lit per pixel, with light through the body.
   passes::SkinLook whole_look_of(const passes::MapSquare& square) const;
+  bool reads_open() const;  // how much of the background each pixel shows
   frame::TextureId add_picture();
   frame::TextureId add_open_share();
   void add_display(FrameOutputs& out);
@@ -106,6 +117,8 @@ class Screen {
   frame::TextureId
       cover_;  // alpha: what blended surfaces hide of the background; valid if colour_ has no such
   bool cleared_ = false;
+  std::vector<frame::BufferId> cleared_with_ids_;
+  int entry_passes_left_ = 0;
   passes::EntryBuffers entries_;           // if skin is shaded
   std::vector<std::uint32_t> first_part_;  // of each head, and the number of all
 };

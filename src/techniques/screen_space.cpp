@@ -18,8 +18,7 @@ namespace {
 void add_over_skin(Screen& screen, const std::vector<Batch>& batches) {
   for (const Batch& batch : batches) {
     if (batches.size() > 1 && screen.has_other_parts(batch)) screen.add_shadows(batch);
-    screen.add_surfaces(batch);
-    screen.add_blended(batch);
+    screen.end_batch(batch);
   }
 }
 
@@ -38,9 +37,7 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
     screen.begin_batch(batch);
     const std::vector<passes::MapSquare> skin = squares_of(s, batch);
     if (!skin.empty()) screen.add_split_skin(skin, blurred, surface, label("shade", s, batch));
-    if (s.host) continue;
-    screen.add_surfaces(batch);
-    screen.add_blended(batch);
+    if (!s.host) screen.end_batch(batch);
   }
 
   if (s.has_skin()) screen.add_scattered(blur.add(plan, s, surface), surface);

@@ -20,7 +20,7 @@ Ids::Out Ids::declare(frame::Declare& d) {
   out_.ids = d.create("ids", desc);
   d.colour(out_.ids);
   d.depth(in.depth);
-  d.copy_to(in.parts);
+  for (const frame::BufferId buffer : in.buffers) d.copy_to(buffer);
   return out_;
 }
 
@@ -44,12 +44,16 @@ void Ids::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  cmd.fill(resources.buffer(in.parts), 0);
+  for (const frame::BufferId buffer : in.buffers) cmd.fill(resources.buffer(buffer), 0);
   const gpu::ColourTarget ids{.texture = &resources.texture(out_.ids), .clear = no_light};
   const gpu::DepthTarget depth{.texture = &resources.texture(in.depth),
                                .clear = settings.reversed_depth ? 0.0f : 1.0f};
-  const VkRect2D whole{{0, 0}, {ids.texture->desc().width, ids.texture->desc().height}};
-  cmd.begin_rendering_area(std::span(&ids, 1), depth, frame.area.value_or(whole));
+  const VkRect2D all{{0, 0}, {ids.texture->desc().width, ids.texture->desc().height}},
+      picture = frame.area.value_or(all), drawn = settings.whole ? picture : frame.heads.rectangle();
+  if (drawn.extent.width == 0) return;
+  cmd.begin_rendering_area(std::span(&ids, 1), depth, drawn);
+  cmd.set_viewport(picture, false);
+  cmd.set_scissor(drawn);
 
   for (const IdMesh& mesh : settings.meshes) {
     const Instance& instance = instance_of(frame, mesh.square);

@@ -28,10 +28,11 @@ class Ids {
     bool reversed_depth = true;  ///< near is 1
     bool cut_out = false;        ///< some skin is cut out by its alpha
     std::vector<IdMesh> meshes;  ///< of all heads
+    bool whole = false;          ///< clears depth beside the heads, too, which other passes read
   } settings;
   struct In {
-    frame::TextureId depth;  ///< cleared here
-    frame::BufferId parts;   ///< of EntryBuffers, likewise
+    frame::TextureId depth;                ///< cleared here
+    std::vector<frame::BufferId> buffers;  ///< lists that passes after it add to, likewise
   } in;
   struct Out {
     frame::TextureId ids;  ///< RGBA8: shared/entries_io.h

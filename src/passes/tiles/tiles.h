@@ -46,7 +46,8 @@ class GutterTiles : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// Makes the lists from the marks.
+/// Makes the lists from the marks, and fills the maps with zeros but for what will be written: taps read
+/// tiles that nothing lights.
 class Tiles : public ComputePass {
  public:
   struct Settings {
@@ -57,10 +58,18 @@ class Tiles : public ComputePass {
   struct In {
     TileLists lists;
     frame::BufferId counters;  ///< uint[]
+    /// RGBA16F pools: to light, filled whole, and to blur into, filled beside the tiles that are listed.
+    std::vector<frame::TextureId> lit = {}, blurred = {};
   } in;
   struct Out {};
   Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  void clear(gpu::Cmd& cmd, const frame::Resources& resources, const std::vector<UsedSquare>& squares,
+             const std::vector<frame::TextureId>& maps, std::uint32_t kept) const;
+  const gpu::Pipeline* clear_ = nullptr;
 };
 
 }  // namespace dermis::passes

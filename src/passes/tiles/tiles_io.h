@@ -25,6 +25,12 @@ struct TilesIo {
   uint room;               // entries of a list
   uint slot;               // of the counters: tiles to blur
 };
+struct ClearTilesIo {
+  uvec2 origin;  // of the square in the pool, texels
+  uint side;
+  uint first_tile;
+  uint kept;  // marks of tiles that stay as they are
+};
 DERMIS_IO_END
 #ifdef __cplusplus
 static_assert(sizeof(dermis::io::SeenTilesIo) == 32);

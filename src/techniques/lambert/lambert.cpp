@@ -18,8 +18,7 @@ FrameOutputs build_lambert(passes::FramePlan& plan, const FrameSettings& setting
       skin.push_back({.look = {.square = square}, .maps = {}});
     screen.add_skin(skin, label("shade", settings, batch));
 
-    screen.add_surfaces(batch);
-    screen.add_blended(batch);
+    screen.end_batch(batch);
   }
 
   return screen.finish();

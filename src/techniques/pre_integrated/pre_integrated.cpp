@@ -50,8 +50,7 @@ FrameOutputs build_pre_integrated(passes::FramePlan& plan, const FrameSettings& 
     screen.begin_batch(batch);
     const std::vector<passes::MapSquare> skin = squares_of(s, batch);
     if (!skin.empty()) screen.add_pre_integrated_skin(skin, curvatures, taps, label("shade", s, batch));
-    screen.add_surfaces(batch);
-    screen.add_blended(batch);
+    screen.end_batch(batch);
   }
   return screen.finish();
 }

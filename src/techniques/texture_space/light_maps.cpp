@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "frame/together.h"
-#include "passes/clear_texels/clear_texels.h"
+#include "passes/clear_buffers.h"
 #include "passes/count/count.h"
 #include "passes/gutters/gutters.h"
 #include "passes/host_irradiance/host_irradiance.h"
@@ -43,6 +43,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     transmitted_.push_back(plan.texture(fmt::format("joining {}", g), pool_.texture()));
   if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture());
   make_stretch();
+  screen.clear_with_ids({tiles_.marks, tiles_.counts, tiles_.arguments});
 }
 
 // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
@@ -81,43 +82,48 @@ std::string LightMaps::name(std::string_view what) const {
 }
 
 void LightMaps::add_stretch(const std::vector<MapSquare>& squares) {
-  if (pool_.splits_heads()) {
-    add_stretch("stretch", squares, frame::Runs::every_frame, false);
-    return;
+  for (const StretchPass& pass : stretch_passes(squares)) {
+    Together<passes::Stretch>::In maps;
+    for (const MapSquare& square : pass.squares)
+      maps.members.push_back({{stretch(square.mesh)},
+                              {.square = square,
+                               .runs = pass.runs,
+                               .cut_out = settings_->skin[square.mesh].cut_out,
+                               .when_moved = pass.when_moved}});
+    plan_->add<Together<passes::Stretch>>(pass.name, maps);
   }
-  std::vector<MapSquare> rigid, posed;
-  for (const MapSquare& square : squares)
-    (settings_->skin[square.mesh].posed ? posed : rigid).push_back(square);
-  add_stretch("stretch", rigid, frame::Runs::once, false);
-  add_stretch("stretch of poses", posed, frame::Runs::every_frame, true);
 }
 
-void LightMaps::add_stretch(std::string_view what, const std::vector<MapSquare>& squares, frame::Runs runs,
-                            bool when_moved) {
-  Together<passes::Stretch>::In maps;
-  Together<Gutters>::In gutters;
-  for (const MapSquare& square : squares) {
-    const frame::TextureId map = stretch(square.mesh);
-    maps.members.push_back({{map},
-                            {.square = square,
-                             .runs = runs,
-                             .cut_out = settings_->skin[square.mesh].cut_out,
-                             .when_moved = when_moved}});
-    gutters.members.push_back(
-        {{map},
-         {.squares = {square}, .what = Gutters::What::stretch, .runs = runs, .when_moved = when_moved}});
+void LightMaps::add_stretch_gutters(const std::vector<MapSquare>& squares) {
+  for (const StretchPass& pass : stretch_passes(squares)) {
+    Together<Gutters>::In gutters;
+    for (const MapSquare& square : pass.squares)
+      gutters.members.push_back({{stretch(square.mesh)},
+                                 {.squares = {square},
+                                  .what = Gutters::What::stretch,
+                                  .runs = pass.runs,
+                                  .when_moved = pass.when_moved}});
+    plan_->add<Together<Gutters>>(pass.name + " gutters", gutters);
   }
+}
 
-  if (squares.empty()) return;
-  const std::string of_gutters = fmt::format("{} gutters", what);
-  const bool again = pool_.splits_heads();
-  plan_->add<Together<passes::Stretch>>(again ? name(what) : std::string(what), maps);
-  plan_->add<Together<Gutters>>(again ? name(of_gutters) : of_gutters, gutters);
+// Meshes that take turns with their maps need them anew in every frame, others once, or when they have moved.
+std::vector<LightMaps::StretchPass> LightMaps::stretch_passes(const std::vector<MapSquare>& squares) const {
+  StretchPass rigid{.name = "stretch", .runs = frame::Runs::once},
+      posed{.name = "stretch of poses", .runs = frame::Runs::every_frame, .when_moved = true};
+  if (pool_.splits_heads()) {
+    rigid.name = name("stretch");
+    rigid.runs = frame::Runs::every_frame;
+  }
+  for (const MapSquare& square : squares)
+    (settings_->skin[square.mesh].posed && !pool_.splits_heads() ? posed : rigid).squares.push_back(square);
+  std::vector<StretchPass> passes{std::move(rigid), std::move(posed)};
+  std::erase_if(passes, [](const StretchPass& pass) { return pass.squares.empty(); });
+  return passes;
 }
 
 void LightMaps::add_light(const std::vector<MapSquare>& all) {
   add_tiles(all);
-  add_texel_map(all);
   if (settings_->host_lights())
     plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
 
@@ -156,14 +162,10 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
   plan_->add<Together<Gutters>>(name("irradiance gutters"), gutters);
 }
 
-// Finds the tiles that are lit and blurred, and clears the maps, whose other tiles taps may read.
+// Finds the tiles that are lit and blurred, while the screen lists what it shows.
 void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
-  std::vector<frame::TextureId> maps{light_, scratch_};
-  if (entered_.index != light_.index) maps.push_back(entered_);
-  maps.insert(maps.end(), transmitted_.begin(), transmitted_.end());
-  maps.insert(maps.end(), blurred_.begin(), blurred_.end());
-  plan_->add<passes::ClearTexels>(name("clear light"),
-                                  {maps, {tiles_.marks, tiles_.counts, tiles_.arguments}}, {.squares = all});
+  if (turn_ > 0 || !settings_->draws_picture())
+    plan_->add<passes::ClearBuffers>(name("clear tiles"), {{tiles_.marks, tiles_.counts, tiles_.arguments}});
 
   std::vector<float> exit_offsets;
   for (const SkinPart& part : settings_->skin) {
@@ -171,13 +173,19 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
     const double offset_mm = shape ? std::ranges::max(shape->exit_offset_mm) : 0;
     exit_offsets.push_back(static_cast<float>(offset_mm * part.max_uv_per_mm));
   }
+  screen_->add_next_of_entries();
   plan_->add<passes::SeenTiles>(name("seen tiles"), {tiles_},
                                 {.squares = all,
                                  .cull = settings_->optimise.cull,
                                  .clip = settings_->optimise.clip,
                                  .exit_offsets = exit_offsets});
+  screen_->add_next_of_entries();
   plan_->add<passes::GutterTiles>(name("gutter tiles"), {tiles_}, {.squares = all});
-  plan_->add<passes::Tiles>(name("tiles"), {tiles_, screen_->counters()},
+  passes::Tiles::In tiles{tiles_, screen_->counters(), transmitted_, blurred_};
+  tiles.lit.push_back(light_);
+  if (entered_.index != light_.index) tiles.lit.push_back(entered_);
+  tiles.blurred.push_back(scratch_);
+  plan_->add<passes::Tiles>(name("tiles"), tiles,
                             {.squares = all,
                              .first_slot = square_counter(*settings_, 0, 0, counter_tiles),
                              .slots_per_instance = counter_head_stride(*settings_),

@@ -30,6 +30,9 @@ class LightMaps {
 
   /// Stores the metric of the unwrap of each square's mesh, which have a map each. [DLE07] sec. 3.4.
   void add_stretch(const std::vector<passes::MapSquare>& squares);
+  void add_stretch_gutters(const std::vector<passes::MapSquare>& squares);
+  /// Finds which triangle each texel of a batch shows.
+  void add_texel_map(const std::vector<passes::MapSquare>& all);
   /// Lights the skin meshes of a batch and prepares their maps for blurring.
   void add_light(const std::vector<passes::MapSquare>& all);
   const MapPool& pool() const { return pool_; }
@@ -49,11 +52,15 @@ class LightMaps {
   std::string name(std::string_view what, std::uint32_t mesh) const;
 
  private:
-  void add_stretch(std::string_view what, const std::vector<passes::MapSquare>& squares, frame::Runs runs,
-                   bool when_moved);
+  struct StretchPass {
+    std::string name;
+    frame::Runs runs{};
+    bool when_moved = false;
+    std::vector<passes::MapSquare> squares = {};
+  };
+  std::vector<StretchPass> stretch_passes(const std::vector<passes::MapSquare>& squares) const;
   void make_stretch();
   void add_tiles(const std::vector<passes::MapSquare>& all);
-  void add_texel_map(const std::vector<passes::MapSquare>& all);
 
   passes::FramePlan* plan_;
   const FrameSettings* settings_;

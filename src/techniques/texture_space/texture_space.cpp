@@ -109,14 +109,18 @@ FrameOutputs build_texture_space(passes::FramePlan& plan, const FrameSettings& s
 
       maps->begin_turn(batch.number * turns + turn);
       if (pool.splits_heads()) maps->add_stretch(squares);
+      maps->add_texel_map(squares);
+      if (pool.splits_heads())
+        maps->add_stretch_gutters(squares);
+      else if (turn == 0 && batch.number == 0)
+        maps->add_stretch_gutters(one_of_each_unwrap(s));
       maps->add_light(squares);
       add_convolution(plan, s, *maps, squares);
       if (scattered.valid()) add_scatter_sum(plan, s, *maps, scattered, squares);
       add_final(s, screen, *maps, squares);
     }
 
-    screen.add_surfaces(batch);
-    screen.add_blended(batch);
+    screen.end_batch(batch);
   }
 
   FrameOutputs out = screen.finish();

@@ -12,7 +12,6 @@
 #include "passes/bindings.h"
 #include "passes/blur/blur.h"
 #include "passes/clear_buffers.h"
-#include "passes/clear_texels/clear_texels.h"
 #include "passes/frame_data.h"
 #include "passes/gutters/gutters.h"
 #include "passes/light_pool.h"
@@ -212,7 +211,6 @@ Result run(const Experiment& e) {
   for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
     const double v = step.variance_mm2 * e.variance_factor;
     const frame::TextureId target = plan.texture("level", desc);
-    plan.add<passes::ClearTexels>("clear", {{scratch, target}}, {whole});
     plan.add<passes::Blur>("u", {light, stretch, scratch, tiles},
                            {.squares = whole, .variance_mm2 = v, .axis = 0, .texel_averaged = first});
     plan.add<passes::Blur>("v", {scratch, stretch, target, tiles},

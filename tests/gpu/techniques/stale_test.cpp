@@ -11,6 +11,7 @@
 #include "gpu/support/settings.h"
 #include "scene/primitives.h"
 #include "settings/names.h"
+#include "support/rigs.h"
 #include "techniques/technique.h"
 
 namespace dermis::tests {
@@ -114,6 +115,38 @@ TEST(StaleTexels, ShowWhateverIsLeftOut) {
                  (s.quality.clip ? " clip" : ""));
     for (const Scene* scene : {&whole, &holes}) expect_nothing_stale(*scene, s);
   }
+}
+
+// Squares that hold one head after the other.
+TEST(StaleTexels, ShowInNoBatch) {
+  const Scene scene = wrap(plane_and_ball());
+  RenderSettings s = stale_settings("texture-space");
+  s.camera.heads = 3;
+  const Statistics whole = renderer().render(scene, s).statistics;
+  s.quality.map_budget_mb = 1;
+  for (const double distance : {3.0, 9.0}) {
+    SCOPED_TRACE(distance);
+    s.camera.distance = distance;
+    const Picture picture = renderer().render(scene, s);
+    EXPECT_LT(picture.statistics.light_map_bytes, whole.light_map_bytes);
+    expect_same(picture, poisoned_renderer().render(scene, s));
+  }
+}
+
+TEST(StaleTexels, ShowInNoPose) {
+  scene::Scene made = plane_and_ball();
+  made.primitives.back().placements = {{.world_from_mesh = glm::dmat4x3(1)}};
+  made.rig = morphing(made, [](const glm::vec3& p) { return glm::vec3(1.3f * p.x, p.y, 0.5f * p.x); });
+  Scene scene = wrap(std::move(made));
+  const InstanceId id = scene.instances().front();
+  RenderSettings s = stale_settings("texture-space");
+  for (const double distance : {2.0, 9.0})
+    for (const double weight : {0.0, 1.0}) {
+      SCOPED_TRACE(std::to_string(weight) + " from " + std::to_string(distance));
+      s.camera.distance = distance;
+      scene.set_pose(id, RigPose{.weights = {{.name = "0", .weight = weight}}, .joints = {}});
+      expect_same(renderer().render(scene, s), poisoned_renderer().render(scene, s));
+    }
 }
 
 TEST(StaleTexels, ShowInNoMapsWithoutABody) {

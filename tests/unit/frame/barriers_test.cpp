@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dermis/error.h"
 #include "hazards.h"
 #include "made_up.h"
@@ -65,8 +67,11 @@ void expect_pair(Plan& plan, Id id, const Way& first, const Way& second) {
   ASSERT_EQ(barriers.size(), 2u);
   ASSERT_EQ(barriers[1].size(), 1u);
   const Barrier& b = barriers[1].front();
-  const Demand from = demand_of(first.access, first.kind, is_texture),
-               to = demand_of(second.access, second.kind, is_texture);
+  const Demand from = demand_of(first.access, first.kind, is_texture);
+  Demand to = demand_of(second.access, second.kind, is_texture);
+  if constexpr (is_texture)
+    if (second.access == Access::sampled && only_shaders(plan.textures()[id.index]))
+      to.layout = VK_IMAGE_LAYOUT_GENERAL;
 
   EXPECT_EQ(b.is_texture, is_texture);
   EXPECT_EQ(b.index, id.index);
@@ -147,17 +152,52 @@ TEST(Barriers, ReadInANewStageWaitsForTheWrite) {
   add(plan, "raster", PassKind::raster, {{Access::sampled, map}, {Access::storage_read, list}});
   add(plan, "arguments", PassKind::compute, {{Access::indirect_arguments, list}});
 
+  // All three wait for the first pass alone, so at one boundary.
   const auto barriers = derive_barriers(plan);
-  EXPECT_EQ(barriers[2].size(), 2u);
-  for (const Barrier& b : barriers[2]) {
+  EXPECT_EQ(barriers[1].size(), 5u);
+  EXPECT_TRUE(barriers[2].empty() && barriers[3].empty());
+  constexpr VkPipelineStageFlags2 raster =
+      VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+  for (const Barrier& b : barriers[1]) {
     EXPECT_NE(b.source_stages & VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, 0u);
-    EXPECT_EQ(b.target_stages,
-              VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT);
     EXPECT_EQ(b.old_layout, b.new_layout);
   }
+  EXPECT_EQ(std::ranges::count(barriers[1], raster, &Barrier::target_stages), 2);
+  EXPECT_EQ(std::ranges::count(barriers[1], VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, &Barrier::target_access),
+            1);
+  expect_clean(plan);
+}
 
-  ASSERT_EQ(barriers[3].size(), 1u);
-  EXPECT_EQ(barriers[3].front().target_access, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT);
+// Two chains that know nothing of each other wait at the same boundaries.
+TEST(Barriers, StandWhereOthersStand) {
+  Plan plan;
+  const BufferId a = plan.buffer("a", small_buffer), b = plan.buffer("b", small_buffer);
+  add(plan, "write a", PassKind::compute, {{Access::storage_write, a}});
+  add(plan, "write b", PassKind::compute, {{Access::storage_write, b}});
+  add(plan, "read a", PassKind::compute, {{Access::storage_read, a}});
+  add(plan, "read b", PassKind::compute, {{Access::storage_read, b}});
+  add(plan, "arguments of a", PassKind::compute, {{Access::indirect_arguments, a}});
+  std::vector<std::size_t> counts;
+  for (const auto& list : derive_barriers(plan)) counts.push_back(list.size());
+  EXPECT_EQ(counts, (std::vector<std::size_t>{2, 0, 3, 0, 0}));
+  expect_clean(plan);
+}
+
+// What only shaders touch has one layout from its first frame on.
+TEST(Barriers, ATextureOfShadersStaysInGeneral) {
+  Plan plan;
+  const TextureId light = plan.texture("light", small_map), drawn = plan.texture("drawn", small_map);
+  add(plan, "write", PassKind::compute, {{Access::storage_write, light}});
+  add(plan, "draw", PassKind::raster, {{Access::colour_target, drawn}});
+  add(plan, "read", PassKind::compute, {{Access::sampled, light}, {Access::sampled, drawn}});
+  for (const auto& list : derive_barriers(plan))
+    for (const Barrier& b : list) {
+      if (b.index != light.index) continue;
+      EXPECT_EQ(b.old_layout, VK_IMAGE_LAYOUT_GENERAL);
+      EXPECT_EQ(b.new_layout, VK_IMAGE_LAYOUT_GENERAL);
+    }
+  EXPECT_EQ(final_layout(plan, light), VK_IMAGE_LAYOUT_GENERAL);
+  EXPECT_EQ(final_layout(plan, drawn), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   expect_clean(plan);
 }
 

@@ -94,9 +94,9 @@ TEST_F(Checker, AccessThatNoStageCanDo) {
   expect_found("names a source access that its stages cannot do");
 }
 
-TEST_F(Checker, BarrierBeforeAPassThatDoesNotTouchIt) {
+TEST_F(Checker, BarrierThatNoPassWaitsAt) {
   sound_[2].push_back(sound_[1][0]);
-  expect_found("'idle': 'map' has a barrier before a pass that does not touch it");
+  expect_found("'idle': 'map' has a barrier that no pass waits at");
 }
 
 TEST_F(Checker, FirstUseIsNotSaid) {

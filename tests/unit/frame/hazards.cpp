@@ -84,14 +84,17 @@ class Walk {
         const PassNode& pass = plan_->passes()[p];
         if (!kind.has(pass.runs)) continue;
         pass_ = &pass;
-        const auto use = std::ranges::find_if(
-            pass.uses, [&](const Use& u) { return u.is_texture == is_texture_ && u.index == index_; });
+        const auto use = std::ranges::find_if(pass.uses, [&](const Use& u) { return uses_it(u); });
         for (const Barrier& b : barriers[p])
           if (b.is_texture == is_texture_ && b.index == index_) {
-            if (use == pass.uses.end()) report("has a barrier before a pass that does not touch it");
+            if (!used_from(p, kind)) report("has a barrier that no pass waits at");
             apply(b);
           }
-        if (use != pass.uses.end()) check_use(demand_of(use->access, pass.kind, is_texture_));
+        if (use == pass.uses.end()) continue;
+        Demand demand = demand_of(use->access, pass.kind, is_texture_);
+        if (is_texture_ && use->access == Access::sampled && only_shaders(plan_->textures()[index_]))
+          demand.layout = VK_IMAGE_LAYOUT_GENERAL;
+        check_use(demand);
       }
     }
   }
@@ -100,6 +103,16 @@ class Walk {
   void report(std::string_view what) {
     const std::string& name = is_texture_ ? plan_->textures()[index_].name : plan_->buffers()[index_].name;
     found_->push_back(fmt::format("frame {}, pass '{}': '{}' {}", frame_, pass_->name, name, what));
+  }
+
+  bool uses_it(const Use& use) const { return use.is_texture == is_texture_ && use.index == index_; }
+
+  bool used_from(std::size_t first, const FrameKind& kind) const {
+    return std::any_of(plan_->passes().begin() + static_cast<std::ptrdiff_t>(first), plan_->passes().end(),
+                       [&](const PassNode& pass) {
+                         return kind.has(pass.runs) &&
+                                std::ranges::any_of(pass.uses, [&](const Use& use) { return uses_it(use); });
+                       });
   }
 
   bool transient() const {
@@ -231,6 +244,13 @@ Demand demand_of(Access access, PassKind kind, bool is_texture) {
   d.written = d.access & all_writes;
   if (!is_texture) d.layout = VK_IMAGE_LAYOUT_UNDEFINED;
   return d;
+}
+
+bool only_shaders(const TextureNode& texture) {
+  constexpr VkImageUsageFlags others = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                       VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                       VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+  return texture.lifetime == Lifetime::transient && (texture.desc.usage & others) == 0;
 }
 
 std::string name_of(const FrameKind& kind) {

@@ -21,6 +21,9 @@ struct Demand {
 };
 Demand demand_of(Access access, PassKind kind, bool is_texture);
 
+/// Returns whether no attachment, copy or later frame needs a layout of the texture: it stays in GENERAL.
+bool only_shaders(const TextureNode& texture);
+
 /// The kinds of frames that differ in what they have.
 inline constexpr std::array frame_kinds{FrameKind{}, FrameKind{.changed = true},
                                         FrameKind{.statistics = true}, FrameKind{.first = true}, whole_frame};
@@ -28,8 +31,8 @@ std::string name_of(const FrameKind& kind);
 
 /// Runs the plan twice on one queue, from undefined images on, without waiting in between. Each line names
 /// frame, pass and resource. Found: uses that are not ordered, writes that are not made available or visible,
-/// wrong layouts, contents lost, and barriers that the specification forbids or that stand before a pass
-/// which does not touch the resource.
+/// wrong layouts, contents lost, and barriers that the specification forbids or after which no pass touches
+/// the resource.
 std::vector<std::string> hazards(const FrameGraph& plan, const std::vector<std::vector<Barrier>>& barriers,
                                  const FrameKind& kind = whole_frame);
 

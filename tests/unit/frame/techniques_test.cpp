@@ -223,7 +223,7 @@ TEST(TechniqueFrames, ChainsThatDifferTakeTheirCommonStepsTogether) {
   EXPECT_EQ(blurs({4, 4}, 2), blurs({4}, 6));
 }
 
-// The lists of tiles are cleared for all meshes at once.
+// The lists of tiles are made for all meshes at once.
 TEST(TechniqueFrames, ListTheTilesOnce) {
   techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
   set_heads(s, 1, 2);
@@ -231,7 +231,7 @@ TEST(TechniqueFrames, ListTheTilesOnce) {
   s.optimise = {.cull = true, .depth = true, .clip = true};
   passes::FramePlan plan;
   techniques::find_technique("texture-space").build(plan, s);
-  EXPECT_EQ(std::ranges::count(plan.passes(), "clear light", &PassNode::name), 1);
+  EXPECT_EQ(std::ranges::count(plan.passes(), "tiles", &PassNode::name), 1);
 }
 
 std::uint64_t texture_bytes(const FrameGraph& plan) {
