@@ -4,7 +4,7 @@
 # prints a row of a Markdown table per cell: the median frame of each in ms, and their ratio.
 #
 #   git worktree add ../before COMMIT; (cd ../before && ./run build)
-#   NEW_OPTIONS="--light-samples 1" tools/bench_against.sh \
+#   NEW_OPTIONS="--set quality.light_samples=1" tools/bench_against.sh \
 #     ../before/build/release/dermis build/release/dermis --size 960x600 --map-size 1024 --shadow-size 1024
 #
 #   OPTION...    of both programs; those of `dermis render`
@@ -12,8 +12,8 @@
 #   HEADS        default "1 4 16"
 #   DISTANCES    radii, default "2.5 10 50 100"
 #   TURNS        of each program and cell, default 3; FRAMES of a turn, default 3
-#   OLD_OPTIONS, NEW_OPTIONS  of one program alone; --keep-shadows off where the other draws shadow maps in
-#                every frame
+#   OLD_OPTIONS, NEW_OPTIONS  of one program alone; --set quality.keep_shadows=false where the other draws
+#                shadow maps in every frame
 set -euo pipefail
 
 if (($# < 2)); then

@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-NAMES = ("texture-space", "texture-space, --shape-aware off", "lambert")
+NAMES = ("texture-space", "texture-space, shape_aware off", "lambert")
 
 
 def errors(result, region):

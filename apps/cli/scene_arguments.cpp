@@ -154,8 +154,8 @@ bool is_left_out(const std::string& path, const About& about, SceneUse use) {
     case SceneUse::bench:
       return about.option == "optimise" ||
              is({"technique", "camera.name", "camera.distance", "camera.orbit_deg", "camera.eye_m",
-                 "camera.target_m", "camera.heads", "quality.skip_unseen_heads", "output.exposure_ev",
-                 "output.background", "output.frames", "output.show"});
+                 "camera.target_m", "camera.heads", "output.exposure_ev", "output.background",
+                 "output.frames", "output.show"});
   }
   return false;
 }
@@ -183,21 +183,37 @@ void add_settings(CLI::App& command, RenderSettings& s, SceneUse use) {
       });
 }
 
-// Options are read in the order in which they are added: what is given by itself wins over the file.
+// Options are read in the order in which they are added: what is given by itself wins over the file, and an
+// option of its own over --set.
 void add_settings_files(CLI::App& command, SceneArguments& arguments) {
-  const auto read = [&arguments](const std::string& path) {
+  const auto read_into = [&arguments](const auto& read) {
     SettingsFile file = settings_file(arguments);
-    load_settings(path, file);
+    read(file);
     arguments.settings = file.render;
     arguments.options = file.scene;
     // Where no truth is computed, what the file says of it is left alone.
     if (arguments.reference) *arguments.reference = *file.reference;
+  };
+  const auto read = [read_into](const std::string& path) {
+    read_into([&](SettingsFile& file) { load_settings(path, file); });
+  };
+  const auto set = [read_into](const std::vector<std::string>& assignments) {
+    for (const std::string& one : assignments)
+      read_into([&](SettingsFile& file) { load_setting(one, "--set", file); });
   };
   rare(command
            .add_option_function<std::string>(
                "--settings", read,
                "JSON written by --save-settings, or by hand; options that are given win over it")
            ->type_name("FILE")
+           ->default_str("")
+           ->group("Settings"));
+  rare(command
+           .add_option_function<std::vector<std::string>>(
+               "--set", set,
+               "any setting of docs/settings.md, as --set quality.light_samples=1; may be repeated")
+           ->allow_extra_args(false)
+           ->type_name("NAME=VALUE")
            ->default_str("")
            ->group("Settings"));
   rare(command
@@ -296,12 +312,37 @@ Scene open_scenes(const SceneArguments& arguments, const SceneOptions& options, 
   return laid_out(assets, arguments.layout.value_or(Layout::row));
 }
 
+// Returns how an option of a setting is called: the last part of its path, without a unit.
+std::string spelt(std::string_view path) {
+  std::string name = "--" + std::string(path.substr(path.rfind('.') + 1));
+  if (name.ends_with("_mm") || name.ends_with("_mb")) name.resize(name.size() - 3);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
 // An option of versions before, which help does not show.
 void former_option(CLI::App& command, const std::string& name, const std::string& why) {
   command
       .add_option_function<std::string>(
           name, [=](const std::string&) { throw CLI::ValidationError(name, why); }, why)
+      ->expected(0, 1)
       ->group("");
+}
+
+// Those of settings that are gone, and of those that are for --set alone.
+void add_former_options(CLI::App& command, const SceneArguments& arguments) {
+  former_option(command, "--view", "is now --tone-map");
+  former_option(command, "--albedo", "is now --set lighting.white_albedo=true");
+  former_option(command, "--normalise", "is gone: the weights of a profile must sum to 1 in its file");
+  for (const Gone& gone : gone_from<QualitySettings>)
+    if (gone.value.empty())
+      former_option(command, spelt(gone.name), fmt::format("is gone: {}", gone.instead));
+
+  const auto one = [&](const std::string& path, const About& about, const auto&, std::string_view) {
+    if (about.option.empty()) former_option(command, spelt(path), fmt::format("is now --set {}=VALUE", path));
+  };
+  for_each_setting(arguments.settings, one);
+  for_each_setting(arguments.options, one, "scene");
 }
 
 }  // namespace
@@ -322,6 +363,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
   add_settings_files(command, arguments);
   for_each_setting(
       arguments.options, [&](const std::string&, const About& about, auto& value, std::string_view) {
+        if (about.option.empty()) return;
         file_under("Scene", about, AddOption{command}("--" + std::string(about.option), about, value));
       });
   rare(
@@ -335,12 +377,7 @@ void add_scene_arguments(CLI::App& command, SceneArguments& arguments, SceneUse 
                                                         std::string_view) {
       file_under(truth_group, about, AddOption{command}("--" + std::string(about.option), about, value));
     });
-  former_option(command, "--view", "is now --tone-map");
-  former_option(command, "--blur-resolution", "is gone: techniques in screen space blur the picture itself");
-  former_option(command, "--shading", "is gone: skin is always shaded in compute");
-  former_option(command, "--irradiance", "is gone: the texels of light maps are always lit in compute");
-  for (const char* gone : {"--maps", "--blur"})
-    former_option(command, gone, "is gone: texture-space blurs narrow to wide, on one size of maps");
+  add_former_options(command, arguments);
 
   // Names of rooms that the rows know nothing of.
   if (CLI::Option* medium = command.get_option_no_throw("--medium")) {

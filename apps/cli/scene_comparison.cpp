@@ -2,7 +2,6 @@
 #include "cli/scene_comparison.h"
 
 #include <string>
-#include <utility>
 
 #include "cli/progress.h"
 
@@ -11,11 +10,9 @@ namespace {
 
 // Rows of the library are named by settings.
 void name_by_options(std::string& name) {
-  for (const auto& [setting, option] :
-       {std::pair{", optimise ", ", --optimise "}, std::pair{", shape_aware ", ", --shape-aware "}}) {
-    const std::size_t at = name.find(setting);
-    if (at != std::string::npos) name.replace(at, std::string(setting).size(), option);
-  }
+  const std::string setting = ", optimise ";
+  const std::size_t at = name.find(setting);
+  if (at != std::string::npos) name.replace(at, setting.size(), ", --optimise ");
 }
 
 }  // namespace

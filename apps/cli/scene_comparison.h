@@ -10,7 +10,7 @@
 
 namespace dermis::cli {
 
-/// compare_scene() with rows that are named by options of the program ("lambert, --shape-aware off"), and how
+/// compare_scene() with rows that are named by options of the program ("lambert, --optimise none"), and how
 /// far it is on the terminal.
 SceneComparison compare_scene_here(const Scene& scene, const SceneComparisonSettings& settings);
 

@@ -39,7 +39,7 @@ struct AddOption {
   CLI::Option* operator()(const std::string& name, const About& about, Value& value) const {
     const std::string help = help_of(about);
     if constexpr (std::is_enum_v<Value>)
-      return add_named<Value>(name, value, about)->default_str(std::string(name_of(value)));
+      return add_named(name, about, value);
     else if constexpr (std::is_same_v<Value, std::uint64_t>)
       return add_count(command, name, value, help,
                        std::isfinite(about.most) ? range_text(about) : "0 to 2^64 - 1");
@@ -55,11 +55,7 @@ struct AddOption {
   template <class Value>
   CLI::Option* operator()(const std::string& name, const About& about, std::optional<Value>& value) const {
     const std::string help = help_of(about);
-    if constexpr (std::is_enum_v<Value>)
-      return add_named<Value>(name, value, about)->default_str("");
-    else if constexpr (std::is_same_v<Value, bool>)
-      return add_switch(name, about, value)->default_str("");
-    else if constexpr (std::is_same_v<Value, double>)
+    if constexpr (std::is_same_v<Value, double>)
       if (about.none.find(' ') == std::string_view::npos) return add_number_or(name, about, value);
     return with_values(about, command.add_option(name, value, help));
   }
@@ -69,17 +65,17 @@ struct AddOption {
                           std::optional<std::array<double, 3>>& value) const;
 
  private:
-  template <class Enum, class Value>
-  CLI::Option* add_named(const std::string& name, Value& value, const About& about) const {
+  template <class Enum>
+  CLI::Option* add_named(const std::string& name, const About& about, Enum& value) const {
     const auto read = [&value, name](const std::string& text) { value = find_name<Enum>(name, text); };
     return command.add_option_function<std::string>(name, read, help_of(about))
-        ->type_name(one_of(names_of<Enum>));
+        ->type_name(one_of(names_of<Enum>))
+        ->default_str(std::string(name_of(value)));
   }
 
   /// Adds an option whose value is one of two words, or true or false, as in JSON.
-  template <class Value>
-  CLI::Option* add_switch(const std::string& name, const About& about, Value& value) const {
-    const std::string on(about.on.empty() ? "true" : about.on), off(about.off.empty() ? "false" : about.off);
+  CLI::Option* add_switch(const std::string& name, const About& about, bool& value) const {
+    const std::string on(about.on), off(about.off);
     const auto read = [&value, name, on, off](const std::string& text) {
       const bool is_on = text == on || text == "true";
       if (!is_on && text != off && text != "false")
@@ -88,7 +84,7 @@ struct AddOption {
     };
     return command.add_option_function<std::string>(name, read, help_of(about))
         ->type_name(one_of({on, off}))
-        ->default_str(value == true ? on : off);
+        ->default_str(value ? on : off);
   }
   static CLI::Option* with_values(const About& about, CLI::Option* option);
   CLI::Option* add_number_or(const std::string& name, const About& about, std::optional<double>& value) const;

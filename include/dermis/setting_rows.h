@@ -21,7 +21,7 @@ namespace dermis {
 
 struct SettingRow {
   std::string path;    ///< of its value in JSON: "camera.fov_deg"
-  std::string option;  ///< on the command line, without dashes; empty: it has none
+  std::string option;  ///< on the command line, without dashes; empty: --set alone
   std::string help;    ///< one line
   enum class Kind : std::uint8_t { text, texts, number, whole, boolean, choice, lights } kind{};
   int count = 1;          ///< of numbers: 1, or as many as the array has
@@ -31,7 +31,7 @@ struct SettingRow {
   double least = 0, most = 0;  ///< of numbers; infinite: no bound
   std::string values;          ///< of texts: words, and in capitals what else it may be, '|' between them
   std::vector<std::string> choices;  ///< of a choice
-  std::string on, off;               ///< of booleans: their words on the command line; empty: it is a flag
+  std::string on, off;               ///< of booleans: their words on the command line; empty: a flag or none
   std::string initial;               ///< the value of the structure given, as JSON
 };
 

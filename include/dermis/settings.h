@@ -72,7 +72,6 @@ struct LightingSettings {
 struct SkinSettings {
   /// skin, a preset of profile.h, or a file; empty: the material's, else the published six Gaussians
   std::string profile{};
-  bool normalise_profile = false;  ///< divide the weights of a profile file by their sum
   /// part of the albedo before scattering, 0 to 1; none: the material's, else 0.5
   std::optional<double> mix{};
   bool translucency = true;  ///< light also comes through the body: ears lit from behind glow

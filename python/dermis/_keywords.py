@@ -2,7 +2,7 @@
 """Settings as keyword arguments, made of the rows that the command line's options are made of.
 
 A keyword is called like the option, with '_' for '-': --map-size is map_size. Rows that share an option
-have the names of their members (cull, depth, clip); width and height are one keyword, size=(width,
+or have none have the names of their members (cull, taps); width and height are one keyword, size=(width,
 height).
 """
 
@@ -123,7 +123,7 @@ def _value_of(name: str, row: _core.SettingRow, value: Any) -> Any:
         return [_light_of(name, light) for light in value]
     if row.kind == kinds.texts:
         return [_plain(name, text) for text in ([value] if isinstance(value, str) else value)]
-    if row.kind == kinds.boolean and isinstance(value, str) and value in (row.on, row.off):
+    if row.kind == kinds.boolean and row.on and isinstance(value, str) and value in (row.on, row.off):
         return value == row.on
     if row.kind == kinds.whole and isinstance(value, float) and value.is_integer():
         return int(value)

@@ -109,7 +109,7 @@ def test_of_an_asset_a_scene_and_a_name_are_one(head: dermis.Asset) -> None:
 
 
 def test_keywords_take_what_numpy_has(scene: dermis.Scene, renderer: dermis.Renderer) -> None:
-    a = renderer.render(scene, **small, fov=30.0, eye=(0.2, 0.1, 0.8), target=(0, 0, 0), specular=False)
+    a = renderer.render(scene, **small, fov=30.0, eye=(0.2, 0.1, 0.8), target=(0, 0, 0), translucency=False)
     b = renderer.render(
         scene,
         size=np.array([64, 48]),
@@ -119,7 +119,7 @@ def test_keywords_take_what_numpy_has(scene: dermis.Scene, renderer: dermis.Rend
         fov=np.float64(30),
         eye=np.array([0.2, 0.1, 0.8]),
         target=[0, 0, 0],
-        specular="off",
+        translucency="off",
     )
     assert np.array_equal(a.linear, b.linear)
     c = renderer.render(scene, **small, light=[{"azimuth_deg": 30, "elevation_deg": 10}])

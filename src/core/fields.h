@@ -30,7 +30,7 @@ struct About {
   bool open = false;                   ///< neither `least` nor `most` itself is in range
   std::string_view none = {};          ///< in place of an optional without a value, or of an empty text
   std::string_view option = {};        ///< its name on the command line, without dashes; empty: it has none
-  std::string_view on = {}, off = {};  ///< words of a switch; empty: a flag, or true and false
+  std::string_view on = {}, off = {};  ///< words of a switch; empty: its option is a flag
   bool common = false;                 ///< among the few that most people need: help shows these first
   bool rebuilds = false;               ///< whether a change may make the plan of a frame anew
   bool real_time = false;              ///< whether it concerns the real-time techniques alone

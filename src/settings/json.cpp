@@ -198,16 +198,39 @@ std::string to_json(const SettingsFile& settings) {
   return json_of(settings).dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-void load_settings(const std::filesystem::path& path, SettingsFile& settings) {
-  const json::Document document = json::load(path, 1 << 20);
-  const json::Value root = document.root();
+namespace {
 
+void read_file(const json::Value& root, SettingsFile& settings) {
   read_object_with(root, {"scene", "reference"}, settings.render);
   if (const auto scene = root.find("scene")) read_object(*scene, settings.scene);
   if (const auto reference = root.find("reference")) {
     if (!settings.reference) settings.reference.emplace();
     read_object(*reference, *settings.reference);
   }
+}
+
+}  // namespace
+
+void load_settings(const std::filesystem::path& path, SettingsFile& settings) {
+  read_file(json::load(path, 1 << 20).root(), settings);
+}
+
+void load_setting(std::string_view assignment, std::string_view where, SettingsFile& settings) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    throw input_error(std::string(where), "expected NAME=VALUE, got '{}'", assignment);
+  const auto quoted = [](std::string_view text) {
+    return ordered_json(text).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  };
+  const std::string_view value = assignment.substr(equals + 1);
+  std::string text = ordered_json::accept(value) ? std::string(value) : quoted(value);
+  for (std::string_view path = assignment.substr(0, equals);;) {
+    const std::size_t dot = path.rfind('.');
+    text = "{" + quoted(path.substr(dot + 1)) + ":" + text + "}";  // without a dot: all of it
+    if (dot == std::string_view::npos) break;
+    path = path.substr(0, dot);
+  }
+  read_file(json::Document(text, std::string(where)).root(), settings);
 }
 
 }  // namespace dermis

@@ -52,4 +52,8 @@ void read_json(const json::Value& object, const Keys& others, Light& into);
 /// and setting: a key that is not known (lists those that are), another type, a value out of range.
 void load_settings(const std::filesystem::path& path, SettingsFile& settings);
 
+/// Reads one setting, `quality.mask=alpha` or `camera.eye_m=[0,0,1]`: JSON, or else a text. InputError as
+/// above, with `where` in place of the file; also without a '='.
+void load_setting(std::string_view assignment, std::string_view where, SettingsFile& settings);
+
 }  // namespace dermis

@@ -43,6 +43,11 @@ void describe(SettingRow& row, const std::optional<Value>&) {
   row.optional = true;
 }
 
+// Names of files need not be UTF-8.
+std::string dumped(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 template <class Settings>
 std::vector<SettingRow> rows(const Settings& settings) {
   const nlohmann::ordered_json values = json_of(settings);
@@ -63,16 +68,10 @@ std::vector<SettingRow> rows(const Settings& settings) {
                      std::string pointer = "/" + path;
                      for (char& c : pointer)
                        if (c == '.') c = '/';
-                     row.initial = values.at(nlohmann::ordered_json::json_pointer(pointer)).dump();
+                     row.initial = dumped(values.at(nlohmann::ordered_json::json_pointer(pointer)));
                      rows.push_back(std::move(row));
                    });
   return rows;
-}
-
-template <class Settings>
-std::string text_of(const Settings& settings) {
-  // Names of files need not be UTF-8.
-  return json_of(settings).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 template <class Settings>
@@ -92,9 +91,9 @@ std::vector<SettingRow> rows_of(const ReferenceSettings& settings) { return rows
 std::vector<SettingRow> rows_of(const ProfileOptions& options) { return rows(options); }
 std::vector<SettingRow> rows_of(const SpectralSkin& skin) { return rows(skin); }
 
-std::string settings_text(const RenderSettings& settings) { return text_of(settings); }
-std::string settings_text(const SceneOptions& options) { return text_of(options); }
-std::string settings_text(const ReferenceSettings& settings) { return text_of(settings); }
+std::string settings_text(const RenderSettings& settings) { return dumped(json_of(settings)); }
+std::string settings_text(const SceneOptions& options) { return dumped(json_of(options)); }
+std::string settings_text(const ReferenceSettings& settings) { return dumped(json_of(settings)); }
 
 void read_settings(std::string_view json, RenderSettings& settings) { read_text(json, settings); }
 void read_settings(std::string_view json, SceneOptions& options) { read_text(json, options); }

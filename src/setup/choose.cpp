@@ -82,8 +82,7 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
 ScatterProfile choose_profile(const scene::Material& material, const RenderSettings& s,
                               const std::optional<ScatterProfile>& of_instance,
                               gaussians::LeastVariance least) {
-  if (!s.skin.profile.empty())
-    return gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile, least);
+  if (!s.skin.profile.empty()) return gaussians::from_name_or_file(s.skin.profile, false, least);
   if (of_instance) return *of_instance;
   return material.skin_settings.profile.value_or(gaussians::skin_six());
 }

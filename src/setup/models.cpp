@@ -137,8 +137,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
       known;
   std::optional<ScatterProfile> for_all;
   if (!s.skin.profile.empty())
-    for_all = gaussians::from_name_or_file(s.skin.profile, s.skin.normalise_profile,
-                                           gaussians::LeastVariance::zero);
+    for_all = gaussians::from_name_or_file(s.skin.profile, false, gaussians::LeastVariance::zero);
   std::map<std::pair<const Subject*, std::optional<std::size_t>>, std::uint32_t> first_unwraps;
   std::uint32_t unwraps = 0;
 

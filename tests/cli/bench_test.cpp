@@ -195,7 +195,7 @@ TEST_F(Bench, RefusesBeforeItMeasures) {
   refuse({"--picture-samples", "17"}, "--picture-samples must be 0 to 16");
   refuse({"--size", "8000x10", "--picture-samples", "4"}, "--picture-samples 4 of 8000x10 pixels");
   refuse({"--frames-memory", "-1"}, "--frames-memory must be 0");
-  refuse({"--mask", "paper"}, "alpha, depth");
+  refuse({"--set", "quality.mask=paper"}, "alpha, depth");
   refuse({"--map-size", "8"}, "(--map-size) must be 32");
   refuse({"--html", "-"}, "--html: needs a file");
   refuse({"--html", (folder() / "none" / "page.html").string()}, "does not exist");

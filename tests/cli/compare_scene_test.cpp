@@ -229,7 +229,7 @@ TEST_F(CompareScene, TestScenesAreGenerated) {
 
 // Before the reference takes its time.
 TEST_F(CompareScene, ATechniqueThatCannotDrawIsLeftOutOfAll) {
-  const Result all = compare({"--taps", "64", "--supersample", "1", "--json", "-"});
+  const Result all = compare({"--set", "quality.taps=64", "--supersample", "1", "--json", "-"});
   ASSERT_EQ(all.status, 0) << all.err;
   EXPECT_NE(all.err.find("technique 'separable' is left out: "), std::string::npos) << all.err;
   const json numbers = json::parse(all.out, nullptr, false);
@@ -238,7 +238,7 @@ TEST_F(CompareScene, ATechniqueThatCannotDrawIsLeftOutOfAll) {
   EXPECT_EQ(std::count(names.begin(), names.end(), "separable"), 0);
   EXPECT_EQ(std::count(names.begin(), names.end(), "burley-disc"), 1);
 
-  expect_refused(compare({"--techniques", "lambert,separable", "--taps", "64"}), "taps");
+  expect_refused(compare({"--techniques", "lambert,separable", "--set", "quality.taps=64"}), "taps");
 }
 
 TEST_F(CompareScene, WhatMakesNoSense) {

@@ -50,7 +50,7 @@ complete dermis view --tone-map ag
 check "values of the viewer's options" offers agx
 complete dermis profile --preset skin
 check "presets" offers skin-layers
-complete dermis render --specular ''
+complete dermis render --translucency ''
 check "words of a switch" offers off
 complete dermis dataset ver
 check "words that are no options" offers verify

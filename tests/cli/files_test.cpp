@@ -187,10 +187,8 @@ TEST_F(RefusedScan, ItsFilesTruncated) {
 
 class RefusedProfiles : public Program {
  protected:
-  Result with_profile(const std::string& text, const Arguments& more = {}) const {
-    Arguments arguments{file("head.gltf", tiny_gltf()), "--profile", file("profile.json", text)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return render(arguments);
+  Result with_profile(const std::string& text) const {
+    return render({file("head.gltf", tiny_gltf()), "--profile", file("profile.json", text)});
   }
 };
 
@@ -207,15 +205,6 @@ TEST_F(RefusedProfiles, EachSaysWhatIsWrong) {
   expect_refused(with_profile(""), "profile.json");
   expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", "no-such-profile"}), "skin");
   expect_refused(render({file("head.gltf", tiny_gltf()), "--profile", folder().string()}), folder().string());
-}
-
-TEST_F(RefusedProfiles, NormaliseAcceptsAnySum) {
-  const std::string half = R"({"name": "p", "variances_mm2": [0.1], "weights": [[0.5, 0.5, 0.5]]})";
-  EXPECT_TRUE(expect_rendered(with_profile(half, {"--normalise"})));
-  fs::remove(picture());
-  expect_refused(
-      with_profile(R"({"name": "p", "variances_mm2": [0.1], "weights": [[0, 0, 0]]})", {"--normalise"}),
-      "sum");
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST_F(Reference, RefusesWhatMakesNoSense) {
   refuse({"--model", "volume", "--medium", "sigma_a=-1 sigma_s=1"}, "sigma_a");
   refuse({"--variance", in_folder("v.png")}, ".exr");
   refuse({"--environment", in_folder("nowhere.hdr")}, "no such environment");
-  refuse({"--environment-intensity", "-1"}, "--environment-intensity");
+  refuse({"--set", "lighting.environment_intensity=-1"}, "lighting.environment_intensity");
   refuse({"--variance", in_folder("r.exr")}, "its own");
   refuse({"--stats", in_folder("r.exr")}, "its own");
   const auto with = [&](const std::string& text) {

@@ -143,8 +143,9 @@ TEST_F(SceneFiles, AreTakenByOtherCommands) {
 
 TEST_F(SceneFiles, SettingsStandBesideThem) {
   const std::string settings = (folder() / "settings.json").string();
-  const std::string picture = rendered({small(), large(), "--unit-scale", "0.5", "--mix", "0.9", "--orbit",
-                                        "30,0", "--save-scene", saved(), "--save-settings", settings});
+  const std::string picture =
+      rendered({small(), large(), "--unit-scale", "0.5", "--set", "skin.mix=0.9", "--orbit", "30,0",
+                "--save-scene", saved(), "--save-settings", settings});
   EXPECT_EQ(rendered({saved(), "--settings", settings}), picture);
 }
 

@@ -123,8 +123,8 @@ TEST_F(Sequence, FramesAreThoseOfRenderToTheBit) {
        {"--clip", "turn", "--show", "irradiance", "--optimise", "none"},
        {{1, {"--time", "0.5", "--show", "irradiance", "--optimise", "none"}}}},
       {".exr",
-       {"--clip", "turn", "--technique", "lambert", "--light-samples", "1"},
-       {{2, {"--time", "1", "--technique", "lambert", "--light-samples", "1"}}}},
+       {"--clip", "turn", "--technique", "lambert", "--set", "quality.light_samples=1"},
+       {{2, {"--time", "1", "--technique", "lambert", "--set", "quality.light_samples=1"}}}},
   };
 
   for (const Case& c : cases) {
@@ -259,7 +259,7 @@ TEST_F(Sequence, CtrlCLeavesWholeFilesAndResumeGoesOn) {
        {Arguments{"--orbit", "0,0..350,0", "--to", "1000"}, Arguments{"--orbit", "0,0..360,0", "--to", "999"},
         Arguments{"--orbit", "0,0..360,0", "--to", "1000", "--fps", "29"},
         Arguments{"--orbit", "0,0..360,0", "--to", "1000", "--ambient", "0.1"},
-        Arguments{"--orbit", "0,0..360,0", "--to", "1000", "--light-samples", "1"},
+        Arguments{"--orbit", "0,0..360,0", "--to", "1000", "--set", "quality.light_samples=1"},
         Arguments{"--orbit", "0,0..360,0", "--to", "1000", "--clip", "turn", "--time", "1"}}) {
     SCOPED_TRACE(fmt::format("{}", fmt::join(other, " ")));
     Arguments arguments = other;

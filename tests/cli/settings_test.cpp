@@ -27,9 +27,10 @@ class SettingsFiles : public Program {
 };
 
 TEST_F(SettingsFiles, GiveTheSamePictureAgain) {
-  const std::string first = rendered({"--orbit", "30,5", "--light", "-30,10,2.5", "--light", "60,0", "--mask",
-                                      "depth", "--exposure", "auto", "--tone-map", "agx", "--specular", "off",
-                                      "--unit-scale", "0.3", "--save-settings", saved()});
+  const std::string first =
+      rendered({"--orbit", "30,5", "--light", "-30,10,2.5", "--light", "60,0", "--set", "quality.mask=depth",
+                "--exposure", "auto", "--tone-map", "agx", "--set", "lighting.specular=false", "--unit-scale",
+                "0.3", "--save-settings", saved()});
   const std::string text = read_text(saved());
   EXPECT_EQ(rendered({"--settings", saved()}), first);
 
@@ -63,6 +64,11 @@ TEST_F(SettingsFiles, WhatIsGivenByItselfWins) {
   const std::string placed =
       file("placed.json", R"({"lighting": {"placed_lights": [{"azimuth_deg": -30}]}})");
   EXPECT_EQ(rendered({"--settings", placed, "--lights", "3"}), rendered({"--lights", "3"}));
+  EXPECT_EQ(
+      rendered({"--set", "lighting.rig_lights=1", "--set", "lighting.rig_lights=3", "--settings", lights}),
+      rendered({"--settings", lights}))
+      << "the last one, over the file";
+  EXPECT_EQ(rendered({"--lights", "2", "--set", "lighting.rig_lights=3"}), rendered({"--lights", "2"}));
 }
 
 TEST_F(SettingsFiles, ThatAreWrongAreRefused) {

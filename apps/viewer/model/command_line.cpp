@@ -3,96 +3,41 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <type_traits>
 
 #include "cli/command_line.h"
+#include "dermis/setting_rows.h"
 #include "settings/fields.h"
-#include "settings/names.h"
 
 namespace dermis::viewer {
 namespace {
 
-template <class Value>
-std::string text_of(const Value& value) {
-  if constexpr (std::is_enum_v<Value>)
-    return std::string(name_of(value));
-  else
-    return fmt::format("{}", value);
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const Json& value) {
+  if (value.is_string()) return value;
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const Json& one : value) text += (text.empty() ? "" : ",") + text_of(one);
+  return text;
 }
 
-std::string text_of(const std::array<double, 2>& value) { return fmt::format("{},{}", value[0], value[1]); }
-std::string text_of(const std::array<double, 3>& value) {
-  return fmt::format("{},{},{}", value[0], value[1], value[2]);
+// The values of one setting, as its option takes them. Only one whose default is a number has a word for
+// none.
+std::vector<std::string> values_of(const SettingRow& row) {
+  const Json value = Json::parse(row.initial);
+  if (value.is_null()) return {row.none};
+  if (value.is_boolean()) return {value ? row.on : row.off};
+  const bool several = row.kind == SettingRow::Kind::lights || row.kind == SettingRow::Kind::texts;
+  if (!several || !value.is_array()) return {text_of(value)};
+  std::vector<std::string> values;
+  for (const Json& one : value) values.push_back(text_of(one));
+  return values;
 }
 
-// The words of one setting that differs from its default.
-struct Words {
-  std::vector<std::string>& words;
-
-  void add(const About& about, std::string value) const {
-    words.push_back("--" + std::string(about.option));
-    words.push_back(std::move(value));
-  }
-
-  template <class Value>
-  void operator()(const About& about, const Value& value) const {
-    add(about, text_of(value));
-  }
-
-  void operator()(const About& about, const bool& value) const {
-    if (about.on.empty())
-      words.push_back("--" + std::string(about.option));
-    else
-      add(about, std::string(value ? about.on : about.off));
-  }
-
-  template <class Value>
-  void operator()(const About& about, const std::optional<Value>& value) const {
-    // Only a setting whose default is a number has a word for none.
-    add(about, value ? text_of(*value) : std::string(about.none));
-  }
-
-  void operator()(const About& about, const std::vector<std::string>& values) const {
-    for (const std::string& value : values) add(about, value);
-  }
-
-  void operator()(const About& about, const std::vector<PlacedLight>& lights) const {
-    for (const PlacedLight& light : lights)
-      add(about, fmt::format("{},{},{}", light.azimuth_deg, light.elevation_deg, light.irradiance));
-  }
-};
-
-template <class Value>
-bool equal(const Value& a, const Value& b) {
-  return a == b;
-}
-
-bool equal(const std::vector<PlacedLight>& a, const std::vector<PlacedLight>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i].azimuth_deg != b[i].azimuth_deg || a[i].elevation_deg != b[i].elevation_deg ||
-        a[i].irradiance != b[i].irradiance)
-      return false;
-  return true;
-}
-
-// Visits the rows of two structures together: visit(path, about, value, default value).
-template <class Settings, class Visit>
-void for_each_pair(const Settings& settings, const Settings& defaults, const Visit& visit) {
-  const auto one = [&](const auto& field) {
-    const auto& value = settings.*field.member;
-    const auto& of_default = defaults.*field.member;
-    if constexpr (has_fields<std::remove_cvref_t<decltype(value)>>)
-      for_each_pair(value, of_default, visit);
-    else
-      visit(field.about, value, of_default);
-  };
-  std::apply([&](const auto&... field) { (one(field), ...); }, fields_of<Settings>);
-}
-
-// Settings that share an option: switches that a list names, and the size.
+// The switches that a list names.
 void add_optimise(const QualitySettings& quality, std::vector<std::string>& words) {
   std::string names, option;
   bool all = true;
@@ -110,22 +55,29 @@ void add_optimise(const QualitySettings& quality, std::vector<std::string>& word
   words.push_back(names.empty() ? "none" : names);
 }
 
+// `parent`: place of the structure in a file of settings. Without size and switches, which share options, and
+// frames, of which a picture is one.
 template <class Settings>
-std::vector<std::string> words_of(const Settings& settings) {
+std::vector<std::string> words_of(const Settings& settings, std::string_view parent) {
   std::vector<std::string> words;
-  for_each_pair(settings, Settings{}, [&](const About& about, const auto& value, const auto& of_default) {
-    if (about.option.empty() || about.option == "size" || about.option == "optimise") return;
-    if (!equal(value, of_default)) Words{words}(about, value);
-  });
+  const std::vector<SettingRow> rows = rows_of(settings), defaults = rows_of(Settings{});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const SettingRow& row = rows[i];
+    if (row.initial == defaults[i].initial || row.option == "size" || row.option == "optimise" ||
+        row.option == "frames")
+      continue;
+    if (row.option.empty())
+      words.insert(words.end(), {"--set", path_of(parent, row.path) + "=" + row.initial});
+    else
+      for (const std::string& value : values_of(row)) words.insert(words.end(), {"--" + row.option, value});
+  }
   return words;
 }
 
 }  // namespace
 
 std::vector<std::string> option_words(const RenderSettings& settings) {
-  RenderSettings one_frame = settings;
-  one_frame.output.frames = OutputSettings{}.frames;
-  std::vector<std::string> words = words_of(one_frame);
+  std::vector<std::string> words = words_of(settings, "");
   add_optimise(settings.quality, words);
   const OutputSettings size;
   if (settings.output.width != size.width || settings.output.height != size.height) {
@@ -135,7 +87,7 @@ std::vector<std::string> option_words(const RenderSettings& settings) {
   return words;
 }
 
-std::vector<std::string> option_words(const SceneOptions& options) { return words_of(options); }
+std::vector<std::string> option_words(const SceneOptions& options) { return words_of(options, "scene"); }
 
 std::string render_command(const std::vector<std::string>& scene_words, const RenderSettings& settings,
                            std::string_view device, std::string_view output) {

@@ -43,7 +43,7 @@ void save_settings(const Document& document, const std::filesystem::path& file) 
 
 ScatterProfile profile_of(const Document& document) {
   const SkinSettings& skin = document.settings.skin;
-  if (!skin.profile.empty()) return load_profile(skin.profile, skin.normalise_profile);
+  if (!skin.profile.empty()) return load_profile(skin.profile);
 
   const std::vector<InstanceId> ids = document.scene.instances();
   for (const InstanceId id : ids)

@@ -41,8 +41,9 @@ void main() {
   gl_Position = vec4(skin.unwrap * 2.0 - 1.0, 0.5, 1.0);
 #ifdef CLIP
   // [JG08] eq. 5 and 6: the planes of the view, D = 1, and frame.clip_margin_m beside them. Departures: the
-  // margin is as wide as the profile reaches, for light from just outside still arrives (--clip-margin 0 is
-  // the paper's rule). Planes and points are those of the world; there is no far plane.
+  // margin is as wide as the profile reaches, for light from just outside still arrives
+  // (quality.clip_margin_mm 0 is the paper's rule). Planes and points are those of the world; there is no far
+  // plane.
   for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = distance_inside(i, out_position_m);
 #endif
 }

@@ -42,7 +42,7 @@ TEST(SettingRows, SayWhatTheSettingsAre) {
   EXPECT_EQ(row_of(rows, "camera.eye_m").count, 3);
   EXPECT_EQ(row_of(rows, "camera.orbit_deg").count, 2);
   EXPECT_EQ(row_of(rows, "lighting.placed_lights").kind, SettingRow::Kind::lights);
-  EXPECT_EQ(row_of(rows, "lighting.specular").on, "on");
+  EXPECT_EQ(row_of(rows, "skin.translucency").on, "on");
   EXPECT_EQ(row_of(rows, "output.width").initial, std::to_string(OutputSettings{}.width));
   const SettingRow& tone_map = row_of(rows, "output.tone_map");
   EXPECT_EQ(tone_map.kind, SettingRow::Kind::choice);

@@ -33,7 +33,6 @@ struct Exception {
   std::string_view path, frame, reason;
 };
 constexpr Exception exceptions[] = {
-    {"skin.normalise_profile", "weights that nearly sum to 1", "others are refused, or sum to 1 already"},
     {"quality.map_budget_mb", "heads in the studio", "a head by itself takes one square"},
     {"quality.kernel", "in screen space", "light maps have no kernels in the picture"},
     {"quality.taps", "in screen space", "nor taps"},
@@ -52,18 +51,6 @@ Subject skin_alone() {
   scene.primitives.resize(1);
   scene.rig = nullptr;
   return examine(std::make_shared<scene::Scene>(std::move(scene)));
-}
-
-/// A file: two Gaussians, whose weights sum to 1 but for what is taken for a rounding.
-const std::string& profile_file() {
-  static const tests::TempFolder folder;
-  static const std::string path = [] {
-    const std::filesystem::path file = folder.path() / "profile.json";
-    tests::write_text(file,
-                      R"({"variances_mm2": [0.1, 1], "weights": [[0.5, 0.5, 0.5], [0.5005, 0.5, 0.5]]})");
-    return file.string();
-  }();
-  return path;
 }
 
 /// A file: a profile that knows its medium.
@@ -92,7 +79,6 @@ std::vector<Frame> frames() {
            subject,
            {.camera = {.eye_m = std::array{0.1, 0.0, 0.8}, .target_m = std::array{0.0, 0.05, 0.0}}}},
           {"skin alone", skin_alone(), {}},
-          {"weights that nearly sum to 1", subject, {.skin = {.profile = profile_file()}}},
           {"a profile of a medium", subject, {.skin = {.profile = medium_file()}}}};
 }
 
@@ -122,7 +108,7 @@ std::vector<Value> values_for(const std::string& path, const About& about) {
           "published"}},
         {"camera.name", {"", "side"}},
         {"lighting.environment", {"", "studio"}},
-        {"skin.profile", {"skin", profile_file()}},
+        {"skin.profile", {"skin", medium_file()}},
         {"output.background", {"black", "studio", "environment", "#336699"}},
         {"output.show", {"picture", "irradiance", "visibility", "shadow:0"}}};
     return texts.at(path);
