@@ -53,8 +53,8 @@ RenderSettings with_profile(RenderSettings s, const std::string& name, const std
   sum.terms = terms;
   for (std::size_t c = 0; c < 3; ++c) {
     double weights = 0;
-    for (const gaussians::Gaussian& term : terms) weights += term.weight[c];
-    for (gaussians::Gaussian& term : sum.terms) term.weight[c] /= weights;
+    for (const Gaussian& term : terms) weights += term.weight[c];
+    for (Gaussian& term : sum.terms) term.weight[c] /= weights;
   }
   s.skin.profile = (program_folder() / (name + ".json")).string();
   write_text(s.skin.profile, gaussians::to_json(sum));
