@@ -25,7 +25,7 @@ struct Other {
     if (value == before) value = least + (most - least) / 7;
   }
   void operator()(int& value) const {
-    value = static_cast<int>(about.least) + (value == about.least + 1 ? 2 : 1);
+    value = static_cast<int>(about.least) + (value == about.least + 1 ? 0 : 1);
   }
   void operator()(std::uint64_t& value) const { value += 3; }
   void operator()(bool& value) const { value = !value; }
