@@ -103,8 +103,8 @@ int bench(const DatasetArguments& a) {
              count / b.total_s, count / b.bare_s, b.bare_s / b.total_s);
   fmt::print("per sample, ms: setting {:.1f}, drawing {:.1f}, waiting for encoders {:.1f}, writing {:.1f}\n",
              ms(b.setting_s), ms(b.drawing_s), ms(b.waiting_s), ms(b.writing_s));
-  fmt::print("encoding beside them {:.1f} ms; {:.1f} kB\n", ms(b.encoding_s),
-             static_cast<double>(b.bytes) / count / 1000);
+  fmt::print("encoding beside them {:.1f} ms; {:.1f} kB; heads loaded meanwhile: {}\n", ms(b.encoding_s),
+             static_cast<double>(b.bytes) / count / 1000, b.heads);
   return 0;
 }
 

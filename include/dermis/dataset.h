@@ -162,9 +162,10 @@ struct Benchmark {
   double waiting_s = 0;   ///< of the drawing thread, for encoders
   double bare_s = 0;      ///< the same frames by a session alone, nothing encoded or written
   std::uint64_t bytes = 0;
+  std::uint64_t heads = 0;  ///< loaded meanwhile; that of sample 0 is there before time counts
 };
-/// Draws samples of a recipe twice: as write() does, into a temporary folder that is removed, and by a bare
-/// session.
+/// Draws the first samples of a recipe twice, in turns: as write() does, into a temporary folder that is
+/// removed, and by a bare session.
 Benchmark bench(const std::filesystem::path& recipe, std::uint64_t samples = 64, const Options& options = {});
 
 }  // namespace dermis::dataset

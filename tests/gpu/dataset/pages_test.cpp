@@ -112,6 +112,17 @@ TEST_F(Pages, TheBenchmarkCountsAndLeavesNothing) {
   EXPECT_EQ(files_of(folder()), (std::vector<std::string>{"free.gltf", "plain.gltf", "recipe.json"}));
 }
 
+// Time per sample is that of the data set only if heads are loaded as rarely as in it.
+TEST_F(Pages, TheBenchmarkLoadsNoMoreHeadsThanTheSet) {
+  recipe["samples"] = 64;
+  recipe["test_share"] = 0;
+  recipe["identities"][1]["count"] = 1;  // two people of 32 samples each
+  EXPECT_EQ(bench(write_recipe(), 20, quiet).heads, 0u);
+  const Benchmark whole = bench(write_recipe(), 1000, quiet);
+  EXPECT_EQ(whole.samples, 64u);
+  EXPECT_EQ(whole.heads, 1u) << "the second";
+}
+
 TEST_F(Pages, JobScriptsRefuseWhatTheyCannotHold) {
   const fs::path set = prepared("set");
   EXPECT_NE(slurm_script(set).find("#SBATCH --array=0-4\n"), std::string::npos);
