@@ -146,6 +146,11 @@ std::string slurm_script(const std::filesystem::path& folder, const SlurmOptions
 /// parameters, licences. Throws InputError: no shard is there.
 std::string sheet(const std::filesystem::path& folder, std::size_t samples = 60);
 
+/// Returns a datasheet (Gebru et al. 2021) as Markdown: identities, skin tones, ranges of all parameters,
+/// labels, licences, devices; what only people can answer is left to fill in. Throws InputError: no shard is
+/// there.
+std::string datasheet(const std::filesystem::path& folder);
+
 /// Returns boxes of heads, noses and ears as COCO's JSON, from the labels `instance` and `region` of all
 /// shards that are there, and with `landmarks` the keypoints of heads. Throws InputError: the recipe has
 /// neither `instance` nor `region`.

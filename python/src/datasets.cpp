@@ -122,6 +122,8 @@ void add_datasets(nb::module_& m) {
   m.def("dataset_sheet", [](const std::string& folder, std::size_t samples) {
     return run([=] { return dataset::sheet(folder, samples); });
   });
+  m.def("dataset_datasheet",
+        [](const std::string& folder) { return run([=] { return dataset::datasheet(folder); }); });
   m.def("dataset_coco", [](const std::string& folder) { return run([=] { return dataset::coco(folder); }); });
 
   m.def(
