@@ -82,12 +82,18 @@ int slurm(const DatasetArguments& a) {
   return 0;
 }
 
-int sheet(const DatasetArguments& a) {
-  const std::string file = a.output.empty() ? (fs::path(a.path) / "sheet.html").string() : a.output;
-  write_text(file, dataset::sheet(a.path, a.samples));
+int write_page(const DatasetArguments& a, const char* name, const std::string& text) {
+  const std::string file = a.output.empty() ? (fs::path(a.path) / name).string() : a.output;
+  write_text(file, text);
   if (file != "-") fmt::print("page: {}\n", fs::absolute(file).string());
   return 0;
 }
+
+int sheet(const DatasetArguments& a) {
+  return write_page(a, "sheet.html", dataset::sheet(a.path, a.samples));
+}
+
+int datasheet(const DatasetArguments& a) { return write_page(a, "datasheet.md", dataset::datasheet(a.path)); }
 
 int coco(const DatasetArguments& a) {
   write_text(a.output.empty() ? "-" : a.output, dataset::coco(a.path));
@@ -103,8 +109,8 @@ int bench(const DatasetArguments& a) {
              count / b.total_s, count / b.bare_s, b.bare_s / b.total_s);
   fmt::print("per sample, ms: setting {:.1f}, drawing {:.1f}, waiting for encoders {:.1f}, writing {:.1f}\n",
              ms(b.setting_s), ms(b.drawing_s), ms(b.waiting_s), ms(b.writing_s));
-  fmt::print("encoding beside them {:.1f} ms; {:.1f} kB\n", ms(b.encoding_s),
-             static_cast<double>(b.bytes) / count / 1000);
+  fmt::print("encoding beside them {:.1f} ms; {:.1f} kB; heads loaded meanwhile: {}\n", ms(b.encoding_s),
+             static_cast<double>(b.bytes) / count / 1000, b.heads);
   return 0;
 }
 
@@ -123,6 +129,7 @@ const std::vector<Action>& actions() {
       {"verify", verify, {"--redraw", "--device"}},
       {"slurm", slurm, {"--output", "--program", "--partition", "--minutes", "--tasks", "--device"}},
       {"sheet", sheet, {"--output", "--samples"}},
+      {"datasheet", datasheet, {"--output"}},
       {"coco", coco, {"--output"}},
       {"bench", bench, {"--samples", "--device", "--threads"}}};
   return all;
@@ -165,8 +172,8 @@ void add_options(CLI::App& command, DatasetArguments& a) {
       .add_option(
           "ACTION", a.action,
           "prepare a recipe; write shards; list those missing; verify; a job script for slurm; a contact "
-          "sheet; boxes as coco; bench")
-      ->type_name("prepare|write|missing|verify|slurm|sheet|coco|bench")
+          "sheet; a datasheet; boxes as coco; bench")
+      ->type_name("prepare|write|missing|verify|slurm|sheet|datasheet|coco|bench")
       ->required();
   command
       .add_option("PATH", a.path,
@@ -176,8 +183,8 @@ void add_options(CLI::App& command, DatasetArguments& a) {
   command
       .add_option(
           "-o,--output", a.output,
-          "folder of the data set (prepare; default: the recipe's name), page (sheet; default: sheet.html "
-          "in the folder), file (slurm, coco; default: standard output)")
+          "folder of the data set (prepare; default: the recipe's name), page (sheet, datasheet; default: "
+          "sheet.html, datasheet.md in the folder), file (slurm, coco; default: standard output)")
       ->type_name("FILE|FOLDER")
       ->default_str("");
   command.add_option("--shard", a.shards, "write: these shards, 0-3,7, also those that other workers draw")

@@ -146,6 +146,11 @@ std::string slurm_script(const std::filesystem::path& folder, const SlurmOptions
 /// parameters, licences. Throws InputError: no shard is there.
 std::string sheet(const std::filesystem::path& folder, std::size_t samples = 60);
 
+/// Returns a datasheet (Gebru et al. 2021) as Markdown: identities, skin tones, ranges of all parameters,
+/// labels, licences, devices; what only people can answer is left to fill in. Throws InputError: no shard is
+/// there.
+std::string datasheet(const std::filesystem::path& folder);
+
 /// Returns boxes of heads, noses and ears as COCO's JSON, from the labels `instance` and `region` of all
 /// shards that are there, and with `landmarks` the keypoints of heads. Throws InputError: the recipe has
 /// neither `instance` nor `region`.
@@ -162,9 +167,10 @@ struct Benchmark {
   double waiting_s = 0;   ///< of the drawing thread, for encoders
   double bare_s = 0;      ///< the same frames by a session alone, nothing encoded or written
   std::uint64_t bytes = 0;
+  std::uint64_t heads = 0;  ///< loaded meanwhile; that of sample 0 is there before time counts
 };
-/// Draws samples of a recipe twice: as write() does, into a temporary folder that is removed, and by a bare
-/// session.
+/// Draws the first samples of a recipe twice, in turns: as write() does, into a temporary folder that is
+/// removed, and by a bare session.
 Benchmark bench(const std::filesystem::path& recipe, std::uint64_t samples = 64, const Options& options = {});
 
 }  // namespace dermis::dataset

@@ -34,6 +34,7 @@ __all__ = [
     "bench",
     "coco",
     "dask",
+    "datasheet",
     "missing",
     "prepare",
     "sheet",
@@ -158,6 +159,12 @@ def sheet(folder: Path, *, samples: int = 60) -> str:
     """A page, HTML: at most so many samples with labels over them, histograms of all parameters,
     licences."""
     return _core.dataset_sheet(os.fspath(folder), samples)
+
+
+def datasheet(folder: Path) -> str:
+    """A datasheet (Gebru et al. 2021), Markdown: identities, skin tones, ranges of all parameters, labels,
+    licences, devices. "To fill in" marks what only people can answer."""
+    return _core.dataset_datasheet(os.fspath(folder))
 
 
 def coco(folder: Path) -> dict[str, Any]:

@@ -66,7 +66,8 @@ void add_results(nb::module_& m) {
       .def_ro("writing_s", &dataset::Benchmark::writing_s)
       .def_ro("waiting_s", &dataset::Benchmark::waiting_s)
       .def_ro("bare_s", &dataset::Benchmark::bare_s)
-      .def_ro("bytes", &dataset::Benchmark::bytes);
+      .def_ro("bytes", &dataset::Benchmark::bytes)
+      .def_ro("heads", &dataset::Benchmark::heads);
   nb::class_<dataset::Recipe>(m, "DatasetRecipe")
       .def_prop_ro("name", &dataset::Recipe::name)
       .def_prop_ro("samples", &dataset::Recipe::samples)
@@ -121,6 +122,8 @@ void add_datasets(nb::module_& m) {
   m.def("dataset_sheet", [](const std::string& folder, std::size_t samples) {
     return run([=] { return dataset::sheet(folder, samples); });
   });
+  m.def("dataset_datasheet",
+        [](const std::string& folder) { return run([=] { return dataset::datasheet(folder); }); });
   m.def("dataset_coco", [](const std::string& folder) { return run([=] { return dataset::coco(folder); }); });
 
   m.def(

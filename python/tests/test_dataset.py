@@ -92,6 +92,7 @@ def test_is_prepared_drawn_and_verified(tmp_path: Path, program: Path) -> None:
 
     assert len(dermis.dataset.coco(tmp_path / "set")["images"]) == 12
     assert "settings.camera.orbit_deg[1]" in dermis.dataset.sheet(tmp_path / "set", samples=3)
+    assert "| `settings.camera.orbit_deg` |" in dermis.dataset.datasheet(tmp_path / "set")
     assert "#SBATCH" in dermis.dataset.slurm(tmp_path / "set")
 
 

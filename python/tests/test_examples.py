@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What python/README.md shows are the files of python/examples, and they run."""
+"""What python/README.md and python/datasets.md show are the files of python/examples, and they run."""
 
 import subprocess
 import sys
@@ -18,7 +18,8 @@ examples = sorted((root / "examples").glob("*.py"))
 def test_the_documents_show_it(example: Path) -> None:
     licence, _, code = example.read_text().partition("\n")
     assert licence.startswith("# SPDX-")
-    assert f"```python\n{code}```" in (root / "README.md").read_text()
+    documents = [(root / name).read_text() for name in ("README.md", "datasets.md")]
+    assert any(f"```python\n{code}```" in text for text in documents)
 
 
 def run(name: str, folder: Path) -> str:

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t samples_a_turn = 16;  // both ways draw in turns
+constexpr std::uint64_t most_in_turn = 16;  // samples; both ways draw in turns
 
 double since_s(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -39,13 +39,14 @@ class Folder {
   fs::path path_;
 };
 
-// As many samples of a recipe, in shards of a turn.
+// The whole recipe in shards of a turn: people sit as often as they do in its data set, so that heads are
+// loaded as rarely.
 Lock lock_of(const fs::path& path, std::uint64_t samples) {
   const Recipe::State whole = Recipe::load(path).state();
+  const std::uint64_t wanted = std::min(samples, whole.samples),
+                      turns = (wanted + most_in_turn - 1) / most_in_turn;
   Json json = whole.json;
-  json["samples"] = std::max<std::uint64_t>(1, samples / whole.views) * whole.views;
-  json["samples_per_shard"] = samples_a_turn;
-  json["test_share"] = 0;
+  json["samples_per_shard"] = (wanted + turns - 1) / turns;
   Lock lock;
   lock.recipe = std::make_shared<const Recipe::State>(Recipe::parse(json.dump(), whole.folder).state());
   return lock;
@@ -79,17 +80,19 @@ Benchmark bench(const fs::path& path, std::uint64_t samples, const Options& opti
   fs::remove(manifest_path(shard_path(folder.path(), recipe, 0)));
 
   const Times before = worker.times();
+  const std::uint64_t heads_before = worker.heads();
   const double encoding_before = worker.encoding_s();
   const std::uint64_t bytes_before = worker.bytes();
-  Benchmark b{.samples = lock.recipe->samples};
-  Steps steps("drawing samples", recipe.shards());
-  for (std::uint64_t shard = 0; shard < recipe.shards(); ++shard) {
+  Benchmark b;
+  Steps steps("drawing samples", (std::min(samples, recipe.samples()) + most_in_turn - 1) / most_in_turn);
+  for (std::uint64_t shard = 0; shard < recipe.shards() && b.samples < samples; ++shard) {
     auto start = Clock::now();
     worker.draw(shard);
     b.total_s += since_s(start);
     start = Clock::now();
     draw_bare(bare, recipe.samples_of(shard));
     b.bare_s += since_s(start);
+    b.samples += recipe.samples_of(shard).count;
     steps.done();
   }
   const Times& after = worker.times();
@@ -99,6 +102,7 @@ Benchmark bench(const fs::path& path, std::uint64_t samples, const Options& opti
   b.writing_s = after.writing - before.writing;
   b.encoding_s = worker.encoding_s() - encoding_before;
   b.bytes = worker.bytes() - bytes_before;
+  b.heads = worker.heads() - heads_before;
   return b;
 }
 

@@ -27,7 +27,7 @@ Licence licence_of(const json::Value& value) {
 Lock read(const json::Value& root, const fs::path& folder) {
   root.object();
   root.only_keys({"schema", "dermis", "recipe", "recipe_sha256", "folder", "one_device", "device", "inputs",
-                  "inputs_sha256", "licences"});
+                  "inputs_sha256", "licences", "ita_deg"});
   root.at("schema").count(schema, schema);
   if (root.at("dermis").text() != DERMIS_VERSION)
     root.at("dermis").fail(
@@ -43,6 +43,11 @@ Lock read(const json::Value& root, const fs::path& folder) {
     recipe.entries[i].licence = licence_of(licences.element(i));
 
   Lock lock;
+  lock.ita_deg.resize(recipe.entries.size());
+  const json::Value angles = root.at("ita_deg");
+  angles.array_size(recipe.entries.size(), recipe.entries.size());
+  for (std::size_t i = 0; i < recipe.entries.size(); ++i)
+    if (!angles.element(i).is_null()) lock.ita_deg[i] = angles.element(i).number();
   lock.recipe = std::make_shared<const Recipe::State>(std::move(recipe));
   lock.device = device_of(root.at("device"));
   lock.one_device = root.at("one_device").boolean();
@@ -92,6 +97,8 @@ std::string text_of(const Lock& lock, const fs::path& folder) {
     licence.update(json_of(entry.licence));
     licences.push_back(licence);
   }
+  Json angles = Json::array();
+  for (const std::optional<double>& angle : lock.ita_deg) angles.push_back(angle ? Json(*angle) : Json());
   const Json json{{"schema", schema},
                   {"dermis", DERMIS_VERSION},
                   {"recipe", lock.recipe->json},
@@ -101,7 +108,8 @@ std::string text_of(const Lock& lock, const fs::path& folder) {
                   {"device", json_of(lock.device)},
                   {"inputs", inputs},
                   {"inputs_sha256", hash_of_inputs(lock.inputs)},
-                  {"licences", licences}};
+                  {"licences", licences},
+                  {"ita_deg", angles}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct Lock {
   std::string inputs_sha256;                    ///< of all files
   std::vector<Input> inputs;
   DeviceClass device;  ///< that prepared it
+  /// Typology angle of the skin of each entry, degrees; none: not measured, or its options differ by person.
+  std::vector<std::optional<double>> ita_deg;
   bool one_device = false;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "api/prepare/label_forms.h"
@@ -11,6 +12,7 @@
 #include "dataset/manifest.h"
 #include "dataset/members.h"
 #include "dataset/shard_reader.h"
+#include "dataset/skin_tone.h"
 #include "report/charts.h"
 #include "report/escape.h"
 #include "report/html.h"
@@ -23,18 +25,29 @@ namespace fs = std::filesystem;
 constexpr std::size_t whole_samples = 4;        // shown with each label
 constexpr std::uint64_t most_counted = 20'000;  // samples behind a histogram
 constexpr std::size_t bins = 12, longest_word = 60;
-// Of masks; they stay apart for colour-blind eyes.
-constexpr std::array<std::array<std::uint8_t, 3>, 8> palette{{{0, 114, 178},
-                                                              {230, 159, 0},
-                                                              {0, 158, 115},
-                                                              {204, 121, 167},
-                                                              {86, 180, 233},
-                                                              {213, 94, 0},
-                                                              {240, 228, 66},
-                                                              {150, 150, 150}}};
+// Of masks; the first eight stay apart for colour-blind eyes.
+constexpr std::array<std::array<std::uint8_t, 3>, 16> palette{{{0, 114, 178},
+                                                               {230, 159, 0},
+                                                               {0, 158, 115},
+                                                               {204, 121, 167},
+                                                               {86, 180, 233},
+                                                               {213, 94, 0},
+                                                               {240, 228, 66},
+                                                               {150, 150, 150},
+                                                               {120, 70, 180},
+                                                               {160, 220, 60},
+                                                               {250, 200, 200},
+                                                               {90, 50, 20},
+                                                               {30, 60, 90},
+                                                               {0, 220, 210},
+                                                               {255, 80, 120},
+                                                               {70, 110, 30}}};
+constexpr std::array<std::uint8_t, 3> seen_point{90, 255, 90}, hidden_point{255, 60, 60};
 
 bool is_mask(Output output) {
-  return Outputs{Output::instance, Output::material, Output::region, Output::skin_mesh}.has(output);
+  return Outputs{Output::instance,  Output::material, Output::region,
+                 Output::skin_mesh, Output::part,     Output::front_part}
+      .has(output);
 }
 
 // A mask over its picture.
@@ -44,7 +57,24 @@ image::Image8 over(image::Image8 picture, const image::Image8& mask) {
     if (value == 0) continue;
     for (std::size_t c = 0; c < 3; ++c)
       picture.rgba[i + c] =
-          static_cast<std::uint8_t>((picture.rgba[i + c] + palette[(value - 1u) % 8][c]) / 2);
+          static_cast<std::uint8_t>((picture.rgba[i + c] + palette[(value - 1u) % palette.size()][c]) / 2);
+  }
+  return picture;
+}
+
+// Landmarks as dots of two pixels a side.
+image::Image8 dotted(image::Image8 picture, const std::vector<std::byte>& file) {
+  const Json points = Json::parse(reinterpret_cast<const char*>(file.data()),
+                                  reinterpret_cast<const char*>(file.data()) + file.size());
+  for (const Json& point : points.at("points")) {
+    if (!point[0].is_number() || !point[1].is_number()) continue;
+    for (int corner = 0; corner < 4; ++corner) {
+      const double x = std::floor(point[0].get<double>()) + corner % 2,
+                   y = std::floor(point[1].get<double>()) + corner / 2;
+      if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
+      std::ranges::copy(point[3] == 1 ? seen_point : hidden_point,
+                        picture.at(static_cast<int>(x), static_cast<int>(y)));
+    }
   }
   return picture;
 }
@@ -121,6 +151,7 @@ class Page {
     body += "<h2>Values that were drawn</h2>";
     for (const auto& [path, values] : values_)
       body += report::figure(report::escape(path), histogram(values));
+    body += report::figure("ITA class of the skin, by the typology angle of its colour map", tones());
     body += "<h2>Whose work is shown</h2>" + licences();
     return report::page(lock_.recipe->name, body);
   }
@@ -138,6 +169,8 @@ class Page {
       collect(entry.options, json["identity"]["options"], "options of " + entry.asset, values_);
       collect(entry.morphs, json["identity"]["morphs"], "morphs of " + entry.asset, values_);
       values_["asset"].push_back(entry.asset);
+      const std::optional<double>& angle = lock_.ita_deg[place.entry];
+      ++tones_[angle ? ita_class(*angle) : "not measured"];
       people_[place.test].insert(place.identity);
     }
   }
@@ -182,8 +215,8 @@ class Page {
     for (const api::LabelForm& form : api::label_forms()) {
       if (!lock_.recipe->labels.has(form.output) || form.step == 0) continue;
       const bool mask = is_mask(form.output);
-      // Of most samples one mask: region says most.
-      const bool wanted = mask && !is_over && (form.output == Output::region || !has_region());
+      // Of most samples one mask: that which says most.
+      const bool wanted = mask && !is_over && (form.output == telling_mask() || !telling_mask());
       if (place_on_page >= whole_samples && !wanted) continue;
       is_over = is_over || wanted;
       const std::string name = api::row_of(form.output).name;
@@ -193,9 +226,30 @@ class Page {
           report::picture("s" + stem + name,
                           mask ? over(picture, label) : shown(label, form.output != Output::normal), name));
     }
+    if (lock_.recipe->landmarks)
+      html += report::figure(
+          stem + " landmarks",
+          report::picture("s" + stem + "landmarks", dotted(picture, reader_->read(i, landmarks_ending)),
+                          "landmarks: green, seen; red, hidden"));
     return html;
   }
-  bool has_region() const { return lock_.recipe->labels.has(Output::region); }
+  std::optional<Output> telling_mask() const {
+    for (const Output mask : {Output::part, Output::region})
+      if (lock_.recipe->labels.has(mask)) return mask;
+    return std::nullopt;
+  }
+
+  // All classes, those without a sample too.
+  std::string tones() const {
+    report::BarChart chart{.unit = "samples", .parts = {"samples"}, .bars = {}};
+    for (const char* name : ita_classes) chart.bars.push_back({name, {count_of(name)}});
+    if (count_of("not measured") > 0) chart.bars.push_back({"not measured", {count_of("not measured")}});
+    return report::bar_chart(chart);
+  }
+  double count_of(const std::string& tone) const {
+    const auto found = tones_.find(tone);
+    return found == tones_.end() ? 0 : found->second;
+  }
 
   std::string licences() const {
     std::vector<std::vector<std::string>> rows;
@@ -211,6 +265,7 @@ class Page {
   std::vector<std::pair<std::uint64_t, Recipe::Range>> ranges_;
   std::uint64_t there_ = 0, shard_ = 0;
   Values values_;
+  std::map<std::string, double> tones_;
   std::map<bool, std::set<std::uint64_t>> people_;
   std::unique_ptr<ShardReader> reader_;
 };

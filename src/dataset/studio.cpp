@@ -83,6 +83,7 @@ Studio::Kept& Studio::head_of_sample(const Json& identity) {
   const bool built_in = asset.starts_with("built-in");
   const Asset loaded =
       Asset::load(built_in ? asset : recipe_->file(asset), options_of(*recipe_, identity["options"]), hooks_);
+  ++heads_loaded_;
   if (heads_.size() == most_heads) heads_.pop_back();
   heads_.push_front({key, Scene(loaded), loaded.bounds().centre_m, {}});
   if (recipe_->landmarks) heads_.front().landmarks = Landmarks::of(loaded);

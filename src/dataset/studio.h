@@ -57,6 +57,9 @@ class Studio {
   /// The scene of the sample that was begun last.
   const Scene& scene() const { return heads_.front().scene; }
 
+  /// So far; one that was kept is not loaded again.
+  std::uint64_t heads_loaded() const { return heads_loaded_; }
+
   /// Of the device that draws. Draws sample 0 if none was drawn.
   DeviceClass device_class();
 
@@ -74,6 +77,7 @@ class Studio {
   std::string device_;
   Hooks hooks_;
   std::deque<Kept> heads_;  ///< the one used last is in front
+  std::uint64_t heads_loaded_ = 0;
   std::optional<Renderer> renderer_;
   std::optional<Session> session_;
   std::optional<DeviceClass> class_;

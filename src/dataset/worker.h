@@ -32,6 +32,7 @@ class Worker {
   const Times& times() const { return times_; }
   double encoding_s() const { return encoders_.busy_s(); }
   std::uint64_t bytes() const { return bytes_; }
+  std::uint64_t heads() const { return studio_.heads_loaded(); }
 
  private:
   void draw_samples(Recipe::Range range, const std::string& name,

@@ -2,6 +2,7 @@
 // The steps of a data set: prepared, drawn, and what is missing.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <set>
 
 #include "core/error.h"
@@ -9,6 +10,7 @@
 #include "core/hooks.h"
 #include "core/log.h"
 #include "dataset/shard_file.h"
+#include "dataset/skin_tone.h"
 #include "dataset/worker.h"
 #include "image/codec.h"
 
@@ -48,9 +50,18 @@ void check_poses(const Lock& lock, std::size_t entry_number, Scene scene) {
   }
 }
 
-// One sample of each entry: its asset is loaded, its names are looked up, its labels are encoded.
-void draw_one_of_each(const Lock& lock, Studio& studio) {
+// The typology angle of the head that was drawn last, in tenths; none: each person of its entry has another.
+std::optional<double> tone_of(const Entry& entry, const Scene& scene) {
+  if (!paths_of(entry.options, "").empty()) return std::nullopt;
+  const std::optional<double> angle = ita_deg_of(scene.instance(scene.instances().front()).asset);
+  return angle ? std::optional(std::round(10 * *angle) / 10) : std::nullopt;
+}
+
+// One sample of each entry: its asset is loaded, its names are looked up, its labels are encoded, its skin is
+// measured.
+void draw_one_of_each(Lock& lock, Studio& studio) {
   const std::size_t entries = lock.recipe->entries.size();
+  lock.ita_deg.resize(entries);
   std::set<std::size_t> seen;
   Steps steps("drawing a sample of each asset", entries);
   for (std::uint64_t i = 0; i < lock.recipe->samples && seen.size() < entries; i += lock.recipe->views) {
@@ -58,6 +69,7 @@ void draw_one_of_each(const Lock& lock, Studio& studio) {
     if (!seen.insert(entry).second) continue;
     encoded(*lock.recipe, studio.finish(studio.begin(i)));
     check_poses(lock, entry, studio.scene());
+    lock.ita_deg[entry] = tone_of(lock.recipe->entries[entry], studio.scene());
     steps.done();
   }
   if (seen.size() < entries)

@@ -56,6 +56,10 @@ TEST_F(Dataset, IsPreparedDrawnAndVerified) {
   const auto coco = nlohmann::json::parse(result.out);
   EXPECT_EQ(coco["images"].size(), 4u);
   EXPECT_EQ(coco["annotations"].size(), 4u);
+  EXPECT_EQ(dataset({"datasheet", set()}).out,
+            "page: " + fs::absolute(fs::path(set()) / "datasheet.md").string() + "\n");
+  EXPECT_NE(read_text(fs::path(set()) / "datasheet.md").find("| square.gltf | MIT | A | here | none |"),
+            std::string::npos);
   EXPECT_EQ(dataset({"sheet", set()}).status, 0);
   EXPECT_NE(read_text(fs::path(set()) / "sheet.html").find("settings.camera.orbit_deg[0]"),
             std::string::npos);

@@ -92,13 +92,65 @@ TEST_F(Pages, TheSheetShowsWhatWasDrawn) {
   for (const char* text :
        {"squares &lt;of&gt; skin", "For a test.", "3 to train, 1 to test, of 4", "18 of 18",
         "settings.camera.orbit_deg[1]", "settings.lighting.rig_lights", "head.turn_deg[2]",
-        "morphs of free.gltf.grow", "CC-BY-4.0", "made here", "000016 region"})
+        "morphs of free.gltf.grow", "CC-BY-4.0", "made here", "000016 region", "ITA class of the skin"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   std::size_t pictures = 0;
   for (std::size_t at = page.find("<img"); at != std::string::npos; at = page.find("<img", at + 1))
     ++pictures;
   EXPECT_EQ(pictures, 9u + 4 * 3 + 5)
       << "nine samples; of four all three labels that are PNG, of the rest one mask";
+}
+
+TEST_F(Pages, TheSheetHasTheMaskThatSaysMostAndTheLandmarks) {
+  recipe.update(Tree::parse(R"({
+    "samples": 5, "views_per_identity": 1, "test_share": 0, "size": [48, 48],
+    "labels": ["instance", "region", "part", "landmarks"], "identities": [{"asset": "built-in:ita-tan"}]})"));
+  const fs::path set = prepared("set");
+  write(set, {}, quiet);
+  const std::string page = sheet(set, 5);
+  EXPECT_NE(page.find("000000 instance"), std::string::npos);
+  EXPECT_NE(page.find("000004 part"), std::string::npos);
+  EXPECT_EQ(page.find("000004 region"), std::string::npos);
+  EXPECT_NE(page.find("000004 landmarks"), std::string::npos);
+  const std::size_t tones = page.find("ITA class of the skin");
+  EXPECT_NE(page.rfind("5 samples", tones), std::string::npos) << "all are tan";
+}
+
+TEST_F(Pages, TheDatasheetSaysWhatIsInTheSetAndWhatIsNot) {
+  recipe["name"] = "squares | *of* <skin>";
+  recipe["about"] = "For a test.";
+  recipe["identities"][0]["asset"] = "built-in:ita-brown";
+  recipe["identities"][0].erase("licence");
+  const fs::path set = prepared("set");
+  EXPECT_NE(tests::thrown<InputError>([&] { datasheet(set); }).find("holds no shard yet"), std::string::npos);
+  const std::vector<std::uint64_t> two{0, 1};
+  write(set, two, quiet);
+  const std::string text = datasheet(set);
+  for (const char* line :
+       {"# Datasheet: squares \\| \\*of\\* &lt;skin>\n", "For a test.\n",
+        "- 18 samples, of which 8 are drawn", "- 4 identities: 3 to train, 1 to test",
+        "| `settings.camera.orbit_deg` | `[{\"uniform\":[-40,40]},",
+        "| `settings.technique` | `\"lambert\"` |",
+        "| `identities[1].morphs.grow` | `{\"uniform\":[0,0.3]}` |", "| `region` |",
+        "| free.gltf | CC-BY-4.0 | A. Author, CC BY 4.0 | free.gltf | none |", "| built-in:ita-brown | MIT |",
+        "Nobody has a skin of the classes: light, intermediate, tan, dark.",
+        "4 identities do not show how people differ", "| free.gltf | "})
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+
+  // Identities and samples of all rows are those of the recipe.
+  std::uint64_t people = 0, samples = 0;
+  for (const char* tone : {"very light", "brown"}) {
+    const std::size_t at = text.find(std::string("\n| ") + tone + " |");
+    ASSERT_NE(at, std::string::npos) << tone << "\n" << text;
+    unsigned train = 0, test = 0, drawn = 0;
+    ASSERT_EQ(
+        std::sscanf(text.c_str() + at + 5 + std::string(tone).size(), "%u | %u | %u", &train, &test, &drawn),
+        3);
+    people += train + test;
+    samples += drawn;
+  }
+  EXPECT_EQ(people, 4u);
+  EXPECT_EQ(samples, 18u);
 }
 
 TEST_F(Pages, TheBenchmarkCountsAndLeavesNothing) {
@@ -110,6 +162,17 @@ TEST_F(Pages, TheBenchmarkCountsAndLeavesNothing) {
   EXPECT_GT(b.bytes, 18u * 3 * 512);
   EXPECT_NEAR(b.setting_s + b.drawing_s + b.waiting_s + b.writing_s, b.total_s, 0.3 * b.total_s);
   EXPECT_EQ(files_of(folder()), (std::vector<std::string>{"free.gltf", "plain.gltf", "recipe.json"}));
+}
+
+// Time per sample is that of the data set only if heads are loaded as rarely as in it.
+TEST_F(Pages, TheBenchmarkLoadsNoMoreHeadsThanTheSet) {
+  recipe["samples"] = 64;
+  recipe["test_share"] = 0;
+  recipe["identities"][1]["count"] = 1;  // two people of 32 samples each
+  EXPECT_EQ(bench(write_recipe(), 20, quiet).heads, 0u);
+  const Benchmark whole = bench(write_recipe(), 1000, quiet);
+  EXPECT_EQ(whole.samples, 64u);
+  EXPECT_EQ(whole.heads, 1u) << "the second";
 }
 
 TEST_F(Pages, JobScriptsRefuseWhatTheyCannotHold) {
