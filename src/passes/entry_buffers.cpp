@@ -33,7 +33,7 @@ EntryBuffers make_entry_buffers(FramePlan& plan, std::uint32_t parts, const gpu:
     buffers.lists.push_back(
         plan.buffer(fmt::format("entry list {}", buffers.bands()), {.bytes = list_bytes}));
   buffers.parts =
-      plan.buffer("parts", {.bytes = std::uint64_t{buffers.bands()} * (parts + 1) * sizeof(io::PartIo)});
+      plan.buffer("parts", {.bytes = std::uint64_t{buffers.bands()} * parts * sizeof(io::PartIo)});
   return buffers;
 }
 

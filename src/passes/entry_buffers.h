@@ -15,7 +15,7 @@ namespace dermis::passes {
 struct EntryBuffers {
   frame::TextureId samples;  ///< R32_UINT: of the entries of each pixel, and the part of the first
   frame::TextureId entries;  ///< RG32_UINT, a layer per entry of a pixel: shaded_entry.glsl
-  frame::BufferId parts;     ///< PartIo[], those of one band after the other, and then one per band to count
+  frame::BufferId parts;     ///< PartIo[], those of one band after the other
   /// of each band of rows: PartRangeIo[], one per part, and then a word per entry
   std::vector<frame::BufferId> lists;
   std::uint32_t part_count = 0;         ///< of the frame, at most MOST_PARTS
@@ -24,9 +24,6 @@ struct EntryBuffers {
 
   std::uint32_t bands() const { return static_cast<std::uint32_t>(lists.size()); }
   std::uint32_t first_row(std::uint32_t band) const { return band * band_rows; }
-  PixelArea rows_of_band(const PixelArea& area, std::uint32_t band) const {
-    return rows_of(area, first_row(band), first_row(band + 1));
-  }
 
   /// For passes that shade the entries of a part in a band: listed_entry.glsl.
   void declare_shading(frame::Declare& d) const;

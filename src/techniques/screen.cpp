@@ -138,11 +138,12 @@ void Screen::add_ids() {
   std::vector<frame::BufferId> cleared = cleared_with_ids_;
   cleared.push_back(entries_.parts);
   ids_ = plan_->add<passes::Ids>("ids", {ids_depth_, cleared}, ids).ids;
-  entry_passes_left_ = 2;
+  entry_passes_left_ = 3;
 }
 
 void Screen::add_next_of_entries() {
-  if (entry_passes_left_ == 2) plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});
+  if (entry_passes_left_ == 3) plan_->add<passes::Entries>("entries", {ids_, ids_depth_, entries_});
+  if (entry_passes_left_ == 2) plan_->add<passes::PartRanges>("part ranges", {entries_});
   if (entry_passes_left_ == 1) plan_->add<passes::EntryList>("entry list", {entries_});
   entry_passes_left_ = std::max(entry_passes_left_ - 1, 0);
 }

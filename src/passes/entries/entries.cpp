@@ -21,8 +21,7 @@ io::EntriesIo entries_io(const EntryBuffers& buffers, const FrameData& frame) {
                    .orthographic = camera.orthographic,
                    .pixel = pixel,
                    .parts = buffers.part_count,
-                   .first_part = 0,
-                   .counter = 0};
+                   .band_rows = buffers.band_rows};
   if (camera.orthographic != 0) {
     io.factor = 1 / glm::length(z);
   } else {
@@ -43,7 +42,6 @@ Entries::Out Entries::declare(frame::Declare& d) {
   d.write(in.buffers.samples);
   d.write(in.buffers.entries);
   d.write(in.buffers.parts);
-  for (const frame::BufferId list : in.buffers.lists) d.write(list);
   return {};
 }
 
@@ -54,16 +52,25 @@ void Entries::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
       .add("entries_of_pixels", resources.storage(in.buffers.entries))
       .add("Parts", resources.buffer(in.buffers.parts));
   if (multisampled_) bindings.add("depths", resources.nearest(in.depth));
-  io::EntriesIo io = entries_io(in.buffers, frame);
+  bindings.bind(cmd, pipeline());
+  dispatch(cmd, entries_io(in.buffers, frame), frame.heads.size());
+}
+
+PartRanges::Out PartRanges::declare(frame::Declare& d) {
+  compute(d, "part_ranges.comp");
+  d.write(in.buffers.parts);
+  for (const frame::BufferId list : in.buffers.lists) d.write(list);
+  return {};
+}
+
+void PartRanges::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData&) const {
   for (std::uint32_t band = 0; band < in.buffers.bands(); ++band) {
-    const PixelArea area = in.buffers.rows_of_band(frame.heads, band);
-    if (area.low.y == area.high.y) continue;
-    Bindings of_band = bindings;
-    of_band.add("List", resources.buffer(in.buffers.lists[band])).bind(cmd, pipeline());
-    io.area = area.io();
-    io.first_part = band * in.buffers.part_count;
-    io.counter = in.buffers.bands() * in.buffers.part_count + band;
-    dispatch(cmd, io, area.size());
+    Bindings()
+        .add("Parts", resources.buffer(in.buffers.parts))
+        .add("List", resources.buffer(in.buffers.lists[band]))
+        .bind(cmd, pipeline());
+    const std::uint32_t parts = in.buffers.part_count;
+    dispatch(cmd, io::PartRangesIo{.parts = parts, .first_part = band * parts}, 1, 1);
   }
 }
 
@@ -77,16 +84,15 @@ EntryList::Out EntryList::declare(frame::Declare& d) {
 
 void EntryList::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   for (std::uint32_t band = 0; band < in.buffers.bands(); ++band) {
-    const PixelArea area = in.buffers.rows_of_band(frame.heads, band);
+    const std::uint32_t first_row = in.buffers.first_row(band);
+    const PixelArea area = rows_of(frame.heads, first_row, first_row + in.buffers.band_rows);
     if (area.low.y == area.high.y) continue;
     Bindings()
         .add("samples_of_pixels", resources.storage(in.buffers.samples))
         .add("entries_of_pixels", resources.storage(in.buffers.entries))
         .add("List", resources.buffer(in.buffers.lists[band]))
         .bind(cmd, pipeline());
-    dispatch(cmd,
-             io::EntryListIo{
-                 .area = area.io(), .width = in.buffers.width, .first_row = in.buffers.first_row(band)},
+    dispatch(cmd, io::EntryListIo{.area = area.io(), .width = in.buffers.width, .first_row = first_row},
              area.size());
   }
 }

@@ -11,9 +11,7 @@ layout(binding = 0) uniform sampler2D ids;
 #endif
 layout(binding = 2, r32ui) uniform writeonly uimage2D samples_of_pixels;
 layout(binding = 3, rg32ui) uniform writeonly uimage2DArray entries_of_pixels;
-layout(binding = 4, scalar) coherent buffer Parts { PartIo parts[]; };
-layout(binding = 5, scalar) writeonly buffer List { PartRangeIo ranges[]; };
-#include "passes/entries/part_ranges.glsl"
+layout(binding = 4, scalar) buffer Parts { PartIo parts[]; };
 
 // The entries of a pixel: their ids, and their samples as bits. Where one has all samples, the second id is
 // that of the last sample.
@@ -117,23 +115,21 @@ PixelEntries find_entries(ivec2 at) {
 #endif
 
 // Counts an entry and returns its rank among those of its part in the band.
-uint rank_of(uint id) {
-  return atomicAdd(parts[io.first_part + (id >> ID_TRIANGLE_BITS) - 1u].count, 1u);
+uint rank_of(uint id, uint band) {
+  return atomicAdd(parts[band * io.parts + (id >> ID_TRIANGLE_BITS) - 1u].count, 1u);
 }
 
-void list_entries(ivec2 at) {
+void main() {
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, io.area.size))) return;
+  const ivec2 at = ivec2(io.area.low + gl_GlobalInvocationID.xy);
+
   const PixelEntries found = find_entries(at);
   const uint part_of_first = found.samples != 0u ? (found.ids.x >> ID_TRIANGLE_BITS) - 1u : 0u;
   imageStore(samples_of_pixels, at, uvec4(found.samples | part_of_first << SAMPLES_BITS));
 
   if (found.samples == 15u) imageStore(entries_of_pixels, ivec3(at, 1), uvec4(found.ids[1], 0u, 0u, 0u));
+  const uint band = uint(at.y) / io.band_rows;
   int e = 0;
   for (uint left = found.samples; left != 0u; left >>= 4, ++e)
-    imageStore(entries_of_pixels, ivec3(at, e), uvec4(found.ids[e], rank_of(found.ids[e]), 0u, 0u));
-}
-
-void main() {
-  if (all(lessThan(gl_GlobalInvocationID.xy, io.area.size)))
-    list_entries(ivec2(io.area.low + gl_GlobalInvocationID.xy));
-  if (is_last_workgroup()) give_ranges();
+    imageStore(entries_of_pixels, ivec3(at, e), uvec4(found.ids[e], rank_of(found.ids[e], band), 0u, 0u));
 }

@@ -8,8 +8,7 @@
 
 namespace dermis::passes {
 
-/// Finds the entries of each pixel, at most as many as it has samples, and their ranks; then gives each part
-/// its range of the list of each band, and its indirect dispatch.
+/// Finds the entries of each pixel, at most as many as it has samples, and their ranks.
 class Entries : public ComputePass {
  public:
   struct Settings {
@@ -24,6 +23,19 @@ class Entries : public ComputePass {
 
  private:
   bool multisampled_ = false;
+};
+
+/// Gives each part its range of the list of each band, and its indirect dispatch.
+class PartRanges : public ComputePass {
+ public:
+  struct Settings {
+  } settings;
+  struct In {
+    EntryBuffers buffers;
+  } in;
+  struct Out {};
+  Out declare(frame::Declare& d);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
 /// Writes the lists.

@@ -5,15 +5,18 @@
 #include "shared/entries_io.h"
 DERMIS_IO_BEGIN
 struct EntriesIo {
-  PixelAreaIo area;  // that holds all heads in this band
+  PixelAreaIo area;  // that holds all heads
   // Distance along the view, metres: factor / (depth - offset), or factor * depth if the camera is
   // orthographic.
   float offset, factor;
   uint orthographic;
-  float pixel;      // side of a pixel: metres per metre of distance, or metres if orthographic
+  float pixel;     // side of a pixel: metres per metre of distance, or metres if orthographic
+  uint parts;      // of a band
+  uint band_rows;  // pixels
+};
+struct PartRangesIo {
   uint parts;       // of a band
   uint first_part;  // of this band among those of all
-  uint counter;     // after all of them: counts the workgroups of this band
 };
 struct EntryListIo {
   PixelAreaIo area;  // that holds all heads in this band

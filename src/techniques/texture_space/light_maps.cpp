@@ -181,6 +181,7 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
                                  .exit_offsets = exit_offsets});
   screen_->add_next_of_entries();
   plan_->add<passes::GutterTiles>(name("gutter tiles"), {tiles_}, {.squares = all});
+  screen_->add_next_of_entries();
   passes::Tiles::In tiles{tiles_, screen_->counters(), transmitted_, blurred_};
   tiles.lit.push_back(light_);
   if (entered_.index != light_.index) tiles.lit.push_back(entered_);

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The workgroup that ends last gives each part its range of the list of the band, in the order of the parts,
-// and its indirect dispatch. Needs `io`, `parts`, `ranges`, and workgroups of 64.
+// Gives each part its range of the list of a band, in the order of the parts, and its indirect dispatch. One
+// workgroup.
+#version 460
+#include "passes/entries/entries_io.h"
+layout(local_size_x = 64) in;
+layout(push_constant, scalar) uniform Push { PartRangesIo io; };
+layout(binding = 0, scalar) buffer Parts { PartIo parts[]; };
+layout(binding = 1, scalar) writeonly buffer List { PartRangeIo ranges[]; };
 shared uint sums[64];
-shared bool is_last;
 
-bool is_last_workgroup() {
-  memoryBarrierBuffer();
-  barrier();
-  if (gl_LocalInvocationIndex == 0u)
-    is_last =
-        atomicAdd(parts[io.counter].count, 1u) == gl_NumWorkGroups.x * gl_NumWorkGroups.y - 1u;
-  barrier();
-  memoryBarrierBuffer();
-  return is_last;
-}
-
-void give_ranges() {
+void main() {
   const uint each = (io.parts + 63u) / 64u, from = min(gl_LocalInvocationIndex * each, io.parts),
              to = min(from + each, io.parts);
   uint sum = 0u;
