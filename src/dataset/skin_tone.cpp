@@ -43,7 +43,7 @@ glm::dvec3 albedo(const scene::Scene& scene, const scene::Material& material,
 
 double ita_deg(const glm::dvec3& albedo) {
   // A map holds light that leaves per light that entered; the surface lets a part of it in.
-  static const double entering = optics::entering_part(optics::measured_skin());
+  static const double entering = optics::entering_part();
   const optics::Lab lab =
       optics::lab_from_linear({entering * albedo.x, entering * albedo.y, entering * albedo.z});
   return std::atan2(lab.l - 50, lab.b) * 180 / std::numbers::pi;
