@@ -98,7 +98,5 @@ void main() {
   if (any(greaterThanEqual(p, ivec2(io.side)))) return;
 
   const vec4 own = imageLoad(light_in, p + ivec2(io.origin));
-  vec4 blurred = vec4(0.0);
-  if (own.a != 0.0) blurred = spread(p, own);
-  imageStore(light_out, p + ivec2(io.origin), blurred);
+  if (own.a != 0.0) imageStore(light_out, p + ivec2(io.origin), spread(p, own));
 }

@@ -83,8 +83,7 @@ Tiles::Out Tiles::declare(frame::Declare& d) {
   d.write(in.lists.counts);
   d.write(in.lists.arguments);
   d.write(in.counters);
-  for (const frame::TextureId map : in.lit) d.write(map);
-  for (const frame::TextureId map : in.blurred) d.write(map);
+  for (const frame::TextureId map : in.maps) d.write(map);
   return {};
 }
 
@@ -93,18 +92,12 @@ void Tiles::prepare(gpu::PipelineLibrary& library) {
   clear_ = &library.compute("clear_tiles.comp", {});
 }
 
-void Tiles::clear(gpu::Cmd& cmd, const frame::Resources& resources, const std::vector<UsedSquare>& squares,
-                  const std::vector<frame::TextureId>& maps, std::uint32_t kept) const {
-  for (const frame::TextureId map : maps) {
-    Bindings()
-        .add("light", resources.storage(map))
-        .add("TileMarks", resources.buffer(in.lists.marks))
-        .bind(cmd, *clear_);
+void Tiles::clear(gpu::Cmd& cmd, const frame::Resources& resources,
+                  const std::vector<UsedSquare>& squares) const {
+  for (const frame::TextureId map : in.maps) {
+    Bindings().add("light", resources.storage(map)).bind(cmd, *clear_);
     for (const UsedSquare& square : squares) {
-      cmd.push(*clear_, io::ClearTilesIo{.origin = square.origin,
-                                         .side = square.side,
-                                         .first_tile = square.index * in.lists.room,
-                                         .kept = kept});
+      cmd.push(*clear_, io::ClearTilesIo{.origin = square.origin, .side = square.side});
       cmd.dispatch_over(*clear_, square.side, square.side);
     }
   }
@@ -129,8 +122,7 @@ void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
                                  settings.slots_per_mesh * mesh_in_asset(frame, square)};
     dispatch(cmd, io, (io.side + TILE_WIDTH - 1) / TILE_WIDTH, (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
   }
-  clear(cmd, resources, squares, in.lit, 0);
-  clear(cmd, resources, squares, in.blurred, TILE_SEEN | TILE_SOURCE | TILE_GUTTER);
+  clear(cmd, resources, squares);
 }
 
 }  // namespace dermis::passes

@@ -46,8 +46,7 @@ class GutterTiles : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// Makes the lists from the marks, and fills the maps with zeros but for what will be written: taps read
-/// tiles that nothing lights.
+/// Makes the lists from the marks, and fills the maps with zeros: taps read tiles that nothing lights.
 class Tiles : public ComputePass {
  public:
   struct Settings {
@@ -57,9 +56,8 @@ class Tiles : public ComputePass {
   } settings;
   struct In {
     TileLists lists;
-    frame::BufferId counters;  ///< uint[]
-    /// RGBA16F pools: to light, filled whole, and to blur into, filled beside the tiles that are listed.
-    std::vector<frame::TextureId> lit = {}, blurred = {};
+    frame::BufferId counters;                 ///< uint[]
+    std::vector<frame::TextureId> maps = {};  ///< RGBA16F pools to fill
   } in;
   struct Out {};
   Out declare(frame::Declare& d);
@@ -67,8 +65,7 @@ class Tiles : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  void clear(gpu::Cmd& cmd, const frame::Resources& resources, const std::vector<UsedSquare>& squares,
-             const std::vector<frame::TextureId>& maps, std::uint32_t kept) const;
+  void clear(gpu::Cmd& cmd, const frame::Resources& resources, const std::vector<UsedSquare>& squares) const;
   const gpu::Pipeline* clear_ = nullptr;
 };
 

@@ -28,8 +28,6 @@ struct TilesIo {
 struct ClearTilesIo {
   uvec2 origin;  // of the square in the pool, texels
   uint side;
-  uint first_tile;
-  uint kept;  // marks of tiles that stay as they are
 };
 DERMIS_IO_END
 #ifdef __cplusplus

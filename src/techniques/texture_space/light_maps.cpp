@@ -182,10 +182,10 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
   screen_->add_next_of_entries();
   plan_->add<passes::GutterTiles>(name("gutter tiles"), {tiles_}, {.squares = all});
   screen_->add_next_of_entries();
-  passes::Tiles::In tiles{tiles_, screen_->counters(), transmitted_, blurred_};
-  tiles.lit.push_back(light_);
-  if (entered_.index != light_.index) tiles.lit.push_back(entered_);
-  tiles.blurred.push_back(scratch_);
+  passes::Tiles::In tiles{tiles_, screen_->counters(), transmitted_};
+  tiles.maps.insert(tiles.maps.end(), blurred_.begin(), blurred_.end());
+  for (const frame::TextureId map : {light_, scratch_}) tiles.maps.push_back(map);
+  if (entered_.index != light_.index) tiles.maps.push_back(entered_);
   plan_->add<passes::Tiles>(name("tiles"), tiles,
                             {.squares = all,
                              .first_slot = square_counter(*settings_, 0, 0, counter_tiles),
