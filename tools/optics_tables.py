@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes src/optics/haemoglobin.inc and src/optics/observer.inc from two CSV files.
+"""Writes src/tissue/optics/haemoglobin.inc and src/tissue/optics/observer.inc from two CSV files.
 
 usage: tools/optics_tables.py HAEMOGLOBIN.csv CIE.csv
 

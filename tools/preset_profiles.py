@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Prints src/gaussians/presets.inc: the profiles that `dermis profile --preset NAME` makes, to six digits.
+"""Prints src/tissue/gaussians/presets.inc: the profiles of `dermis profile --preset NAME`, to six digits.
 
-    tools/preset_profiles.py build/release/dermis > src/gaussians/presets.inc
+    tools/preset_profiles.py build/release/dermis > src/tissue/gaussians/presets.inc
 """
 import json
 import subprocess

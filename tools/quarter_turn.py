@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes src/shared/quarter_turn.inc: real spherical harmonics up to order 5, turned by 90 degrees
+"""Writes src/render/shared/quarter_turn.inc: real spherical harmonics up to order 5, turned by 90 degrees
 about +X (+Y becomes +Z). Needs nothing but Python.
 
 The harmonics are those of src/environment/harmonics.h. Each weight is an overlap of a turned harmonic with
@@ -63,7 +63,7 @@ def main():
                 if abs(sums[i][j]) > 1e-9:
                     lines.append(f"QUARTER_TURN({i}, {j}, {exact(sums[i][j]):.17g})")
     lines.append("#endif")
-    path = Path(__file__).resolve().parent.parent / "src/shared/quarter_turn.inc"
+    path = Path(__file__).resolve().parent.parent / "src/render/shared/quarter_turn.inc"
     path.write_text("\n".join(lines) + "\n")
 
 

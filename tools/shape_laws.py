@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Fits the law of totals over curvature (src/profile/shape_laws.cpp) to what shapes_bench writes.
+"""Fits the law of totals over curvature (src/tissue/profile/shape_laws.cpp) to what shapes_bench writes.
 
 usage: tools/shape_laws.py RESULT.json...
        tools/shape_laws.py --run build/release/bench/shapes/shapes_bench OUT [WALKS]
@@ -17,7 +17,7 @@ import sys
 
 ALBEDOS = [(0.2, 0.6, 0.8), (0.88, 0.94, 0.97), (0.985, 0.9925, 0.997)]
 RADII = (4, 6, 8, 12, 16, 24, 48)
-# src/profile/shape_laws.cpp: a, b convex, b concave, d and c of docs/theory.md.
+# src/tissue/profile/shape_laws.cpp: a, b convex, b concave, d and c of docs/theory.md.
 IN_THE_CODE = [3.085, -4.032, 2.122, 1.221, -1.672, 0.5284, -1.843, -0.564, 0.9235, 1.387, 0.3257, -0.4894,
                1.822, -1.047]
 SIGN = {"sphere": 1, "cylinder": 1, "bowl": -1, "groove": -1}
@@ -132,7 +132,7 @@ def main():
     rows = [row for path in paths for row in totals(path)]
     if not rows:
         sys.exit("no spheres, cylinders, bowls or grooves in these results")
-    print("as in src/profile/shape_laws.cpp:")
+    print("as in src/tissue/profile/shape_laws.cpp:")
     report(rows, IN_THE_CODE)
     print("fitted to these:")
     report(rows, fit(rows))

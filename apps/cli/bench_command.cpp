@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "api/compare/held_frames.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
 #include "cli/bench/measure.h"
 #include "cli/bench/page.h"
 #include "cli/bench/paper.h"
@@ -17,9 +19,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/version.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::cli {
 namespace {

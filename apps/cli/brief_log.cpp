@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/core/log.h"
 #include "cli/progress.h"
 #include "cli/settings_options.h"
-#include "core/log.h"
 
 namespace dermis::cli {
 

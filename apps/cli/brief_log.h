@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 
 namespace dermis::cli {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "api/playing.h"
+#include "base/settings/json.h"
 #include "cli/layout.h"
 #include "dermis/reference.h"
 #include "dermis/renderer.h"
-#include "settings/json.h"
 
 namespace dermis::cli {
 

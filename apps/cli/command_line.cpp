@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "settings/fields.h"
+#include "base/settings/fields.h"
 
 namespace dermis::cli {
 namespace {

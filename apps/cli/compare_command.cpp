@@ -6,6 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/known_names.h"
+#include "base/settings/comparison_fields.h"
+#include "base/settings/names.h"
 #include "cli/command.h"
 #include "cli/compare_page.h"
 #include "cli/comparison/table.h"
@@ -15,12 +20,7 @@
 #include "cli/scene_comparison.h"
 #include "cli/settings_options.h"
 #include "cli/test_scenes/test_scenes.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/known_names.h"
 #include "image/codec.h"
-#include "settings/comparison_fields.h"
-#include "settings/names.h"
 
 namespace dermis::cli {
 namespace {

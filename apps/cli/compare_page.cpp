@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "image/compare_map.h"
-#include "report/escape.h"
-#include "report/html.h"
+#include "tools/report/escape.h"
+#include "tools/report/html.h"
 
 namespace dermis::cli {
 namespace {

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/core/error.h"
+#include "base/core/known_names.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/help.h"
 #include "cli/output.h"
 #include "cli/progress.h"
-#include "core/error.h"
-#include "core/known_names.h"
 #include "dermis/dataset.h"
 
 namespace dermis::cli {

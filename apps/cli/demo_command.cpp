@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/core/file.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/demo/page.h"
 #include "cli/output.h"
 #include "cli/progress.h"
-#include "core/file.h"
 
 namespace dermis::cli {
 namespace {

@@ -9,10 +9,10 @@
 #include <system_error>
 #include <vector>
 
+#include "base/core/known_names.h"
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/settings_options.h"
-#include "core/known_names.h"
 #include "dermis/error.h"
 
 namespace dermis::cli {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/known_names.h"
+#include "base/core/known_names.h"
 
 namespace dermis::cli {
 

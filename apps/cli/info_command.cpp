@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/core/cache.h"
 #include "cli/command.h"
-#include "core/cache.h"
 #include "dermis/error.h"
 #include "gpu/device.h"
 

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "api/prepare/label_forms.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/known_names.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/known_names.h"
 #include "dermis/session.h"
 #include "image/layers.h"
 

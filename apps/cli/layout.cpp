@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/layout.h"
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::cli {
 

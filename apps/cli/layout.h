@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/names.h"
+#include "base/core/names.h"
 #include "dermis/scene.h"
 
 namespace dermis::cli {

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "core/error.h"
-#include "core/file.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
 
 namespace dermis::cli {
 

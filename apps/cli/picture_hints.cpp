@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/log.h"
+#include "base/core/log.h"
 
 namespace dermis::cli {
 namespace {

@@ -6,6 +6,12 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hooks.h"
+#include "base/core/known_names.h"
+#include "base/settings/check.h"
+#include "base/settings/profile_fields.h"
 #include "cli/help.h"
 #include "cli/output.h"
 #include "cli/profile_export.h"
@@ -14,17 +20,11 @@
 #include "cli/profile_swatches.h"
 #include "cli/progress.h"
 #include "cli/settings_options.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hooks.h"
-#include "core/known_names.h"
-#include "gaussians/known.h"
 #include "image/codec.h"
-#include "optics/presets.h"
-#include "optics/skin_colour.h"
-#include "profile/spectral.h"
-#include "settings/check.h"
-#include "settings/profile_fields.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/optics/presets.h"
+#include "tissue/optics/skin_colour.h"
+#include "tissue/profile/spectral.h"
 
 namespace dermis::cli {
 namespace {

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <map>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/known_names.h"
-#include "gaussians/exchange.h"
-#include "gaussians/kernel_export.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/known_names.h"
 #include "image/codec.h"
+#include "tissue/gaussians/exchange.h"
+#include "tissue/gaussians/kernel_export.h"
 
 namespace dermis::cli {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <functional>
 
-#include "core/channels.h"
+#include "base/core/channels.h"
 #include "image/colour.h"
-#include "report/svg.h"
+#include "tools/report/svg.h"
 
 namespace dermis::cli {
 namespace {

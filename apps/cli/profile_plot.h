@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "gaussians/fit.h"
-#include "profile/radial.h"
+#include "tissue/gaussians/fit.h"
+#include "tissue/profile/radial.h"
 
 namespace dermis::cli {
 

@@ -9,13 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "core/channels.h"
-#include "core/error.h"
-#include "gaussians/exchange.h"
-#include "gaussians/json.h"
-#include "optics/media.h"
-#include "profile/noise.h"
-#include "profile/shape_laws.h"
+#include "base/core/channels.h"
+#include "base/core/error.h"
+#include "tissue/gaussians/exchange.h"
+#include "tissue/gaussians/json.h"
+#include "tissue/optics/media.h"
+#include "tissue/profile/noise.h"
+#include "tissue/profile/shape_laws.h"
 
 namespace dermis::cli {
 namespace {

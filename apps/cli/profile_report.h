@@ -8,7 +8,7 @@
 
 #include "cli/profile_plot.h"
 #include "cli/profile_source.h"
-#include "gaussians/fit.h"
+#include "tissue/gaussians/fit.h"
 
 namespace dermis::cli {
 
@@ -37,7 +37,7 @@ std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& ot
 /// filled with terms of weight 0.
 std::string profile_json(const Source& source, const Fitted& fitted);
 
-/// The profile in the parameters of another system (gaussians/exchange.h), with what gets lost.
+/// The profile in the parameters of another system (tissue/gaussians/exchange.h), with what gets lost.
 std::string exported(const Source& source, const Fitted& fitted, const std::string& system);
 
 /// The fit as curves: its label is the number of terms that it has.

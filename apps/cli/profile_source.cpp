@@ -5,21 +5,21 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/error.h"
-#include "gaussians/exchange.h"
+#include "base/core/error.h"
+#include "base/settings/check.h"
+#include "base/settings/names.h"
+#include "base/settings/profile_fields.h"
+#include "head/pigments/maps.h"
+#include "head/scene/import/load.h"
 #include "image/codec.h"
-#include "optics/inversion.h"
-#include "optics/presets.h"
-#include "optics/skin_colour.h"
-#include "pigments/maps.h"
-#include "profile/burley.h"
-#include "profile/equivalent.h"
-#include "profile/spectral.h"
-#include "profile/tabulated.h"
-#include "scene/load.h"
-#include "settings/check.h"
-#include "settings/names.h"
-#include "settings/profile_fields.h"
+#include "tissue/gaussians/exchange.h"
+#include "tissue/optics/inversion.h"
+#include "tissue/optics/presets.h"
+#include "tissue/optics/skin_colour.h"
+#include "tissue/profile/burley.h"
+#include "tissue/profile/equivalent.h"
+#include "tissue/profile/spectral.h"
+#include "tissue/profile/tabulated.h"
 
 namespace dermis::cli {
 namespace {

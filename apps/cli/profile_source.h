@@ -8,8 +8,8 @@
 #include <string>
 
 #include "dermis/profile.h"
-#include "optics/skin.h"
-#include "profile/model.h"
+#include "tissue/optics/skin.h"
+#include "tissue/profile/model.h"
 
 namespace dermis::cli {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/parallel.h"
+#include "base/core/parallel.h"
 #include "image/colour.h"
-#include "optics/skin_colour.h"
+#include "tissue/optics/skin_colour.h"
 
 namespace dermis::cli {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "optics/skin.h"
+#include "tissue/optics/skin.h"
 
 namespace dermis::cli {
 

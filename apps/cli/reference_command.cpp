@@ -8,14 +8,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/settings/names.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
 #include "cli/output.h"
 #include "cli/progress.h"
-#include "core/error.h"
-#include "core/file.h"
 #include "dermis/reference.h"
-#include "settings/names.h"
 
 namespace dermis::cli {
 namespace {

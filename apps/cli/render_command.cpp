@@ -4,14 +4,14 @@
 #include <chrono>
 #include <memory>
 
+#include "base/core/error.h"
+#include "base/core/file.h"
 #include "cli/command.h"
 #include "cli/help.h"
 #include "cli/label_files.h"
 #include "cli/output.h"
 #include "cli/picture_hints.h"
 #include "cli/progress.h"
-#include "core/error.h"
-#include "core/file.h"
 
 namespace dermis::cli {
 namespace {

@@ -8,18 +8,18 @@
 #include <set>
 
 #include "api/prepare/scene_file.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/known_names.h"
+#include "base/settings/fields.h"
+#include "base/settings/json.h"
 #include "cli/brief_log.h"
 #include "cli/command.h"
 #include "cli/help.h"
 #include "cli/progress.h"
 #include "cli/settings_options.h"
 #include "cli/test_scenes/test_scenes.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/known_names.h"
-#include "optics/presets.h"
-#include "settings/fields.h"
-#include "settings/json.h"
+#include "tissue/optics/presets.h"
 
 namespace dermis::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "base/settings/json.h"
 #include "dermis/compare.h"
-#include "settings/json.h"
 
 namespace dermis::cli {
 

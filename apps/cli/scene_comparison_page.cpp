@@ -10,9 +10,9 @@
 #include "cli/scene_comparison.h"
 #include "image/compare_flip.h"
 #include "image/compare_map.h"
-#include "report/escape.h"
-#include "report/html.h"
-#include "report/point_chart.h"
+#include "tools/report/escape.h"
+#include "tools/report/html.h"
+#include "tools/report/point_chart.h"
 
 namespace dermis::cli {
 namespace {

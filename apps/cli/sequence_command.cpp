@@ -7,6 +7,8 @@
 #include <memory>
 #include <optional>
 
+#include "base/core/error.h"
+#include "base/core/file.h"
 #include "cli/command.h"
 #include "cli/progress.h"
 #include "cli/sequence/arguments.h"
@@ -14,8 +16,6 @@
 #include "cli/sequence/pattern.h"
 #include "cli/sequence/video.h"
 #include "cli/sequence/write.h"
-#include "core/error.h"
-#include "core/file.h"
 
 namespace dermis::cli {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "base/settings/comparison_fields.h"
+#include "base/settings/fields.h"
+#include "base/settings/profile_fields.h"
 #include "cli/help.h"
-#include "settings/comparison_fields.h"
-#include "settings/fields.h"
-#include "settings/profile_fields.h"
 
 namespace dermis::cli {
 namespace {

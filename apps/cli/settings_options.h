@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Options of the command line from the rows of settings (src/settings/fields.h).
+/// Options of the command line from the rows of settings (src/base/settings/fields.h).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,12 +9,12 @@
 #include <functional>
 #include <string>
 
+#include "base/core/fields.h"
+#include "base/core/known_names.h"
+#include "base/settings/check.h"
+#include "base/settings/names.h"
 #include "cli/command_line.h"
 #include "cli/help.h"
-#include "core/fields.h"
-#include "core/known_names.h"
-#include "settings/check.h"
-#include "settings/names.h"
 
 namespace dermis::cli {
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/core/error.h"
 #include "cli/command.h"
-#include "core/error.h"
 
 namespace dermis::cli {
 namespace {

@@ -20,7 +20,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::kit {
 namespace {

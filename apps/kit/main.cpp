@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/known_names.h"
 #include "cli/help.h"
 #include "cli/progress.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/known_names.h"
 #include "kit/measure.h"
 #include "kit/page.h"
 #include "kit/place.h"

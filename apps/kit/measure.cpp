@@ -13,12 +13,12 @@
 #include <fstream>
 #include <thread>
 
+#include "base/core/error.h"
 #include "cli/progress.h"
 #include "cli/version.h"
-#include "core/error.h"
 #include "dermis/renderer.h"
 #include "kit/results.h"
-#include "techniques/technique.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::kit {
 namespace {

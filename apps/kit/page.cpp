@@ -7,9 +7,9 @@
 #include <map>
 
 #include "image/codec.h"
-#include "report/charts.h"
-#include "report/escape.h"
-#include "report/html.h"
+#include "tools/report/charts.h"
+#include "tools/report/escape.h"
+#include "tools/report/html.h"
 
 namespace dermis::kit {
 namespace {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "settings/fields.h"
-#include "settings/json.h"
-#include "settings/names.h"
+#include "base/settings/fields.h"
+#include "base/settings/json.h"
+#include "base/settings/names.h"
 
 namespace dermis::kit {
 namespace {

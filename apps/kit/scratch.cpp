@@ -11,7 +11,7 @@
 #include <string>
 #include <system_error>
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::kit {
 namespace {

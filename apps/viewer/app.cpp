@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "dermis/error.h"
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 #include "viewer/model/animation.h"
 #include "viewer/model/label_views.h"
 #include "viewer/model/memory.h"

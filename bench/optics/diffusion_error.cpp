@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "optics/presets.h"
-#include "optics/skin.h"
-#include "profile/beam.h"
-#include "profile/dipole.h"
-#include "profile/monte_carlo.h"
-#include "profile/slab.h"
+#include "tissue/optics/presets.h"
+#include "tissue/optics/skin.h"
+#include "tissue/profile/beam.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/monte_carlo.h"
+#include "tissue/profile/slab.h"
 
 namespace {
 

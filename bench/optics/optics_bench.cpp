@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "gaussians/fit.h"
-#include "optics/presets.h"
-#include "optics/radiative.h"
-#include "optics/skin_colour.h"
-#include "profile/dipole.h"
-#include "profile/monte_carlo.h"
-#include "profile/slab.h"
+#include "tissue/gaussians/fit.h"
+#include "tissue/optics/presets.h"
+#include "tissue/optics/radiative.h"
+#include "tissue/optics/skin_colour.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/monte_carlo.h"
+#include "tissue/profile/slab.h"
 
 namespace {
 

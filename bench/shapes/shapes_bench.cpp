@@ -18,11 +18,11 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
-#include "gaussians/scatter_profile.h"
-#include "profile/shape_laws.h"
-#include "reference/shape_prediction.h"
-#include "reference/shapes.h"
+#include "base/core/error.h"
+#include "tissue/gaussians/scatter_profile.h"
+#include "tissue/profile/shape_laws.h"
+#include "truth/reference/shape_prediction.h"
+#include "truth/reference/shapes.h"
 
 namespace {
 

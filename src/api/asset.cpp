@@ -8,12 +8,12 @@
 #include "api/rig_pose.h"
 #include "api/scene_state.h"
 #include "api/vectors.h"
-#include "core/error.h"
-#include "core/hooks.h"
-#include "scene/framing.h"
-#include "scene/from_arrays.h"
-#include "settings/check.h"
-#include "setup/preparation.h"
+#include "base/core/error.h"
+#include "base/core/hooks.h"
+#include "base/settings/check.h"
+#include "head/scene/framing.h"
+#include "head/scene/import/from_arrays.h"
+#include "render/setup/preparation.h"
 
 namespace dermis {
 namespace api {
@@ -34,9 +34,9 @@ bool changes_pigments(const SceneOptions& options) {
          options.haemoglobin_factor != 1;
 }
 
-std::shared_ptr<const scene::Scene> with_pigments(scene::Scene&& scene, const SceneOptions& options) {
+std::shared_ptr<const scene::AssetData> with_pigments(scene::AssetData&& scene, const SceneOptions& options) {
   if (changes_pigments(options)) setup::preparation("other pigments").repaint(scene, options);
-  return std::make_shared<const scene::Scene>(std::move(scene));
+  return std::make_shared<const scene::AssetData>(std::move(scene));
 }
 
 }  // namespace api

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "dermis/asset.h"
-#include "scene/load.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
+#include "head/scene/import/load.h"
 
 namespace dermis::api {
 
@@ -16,6 +16,6 @@ scene::LoadOptions load_options(const SceneOptions& options);
 /// Returns whether the skin is to have other pigments than its colour map says.
 bool changes_pigments(const SceneOptions& options);
 /// Gives it these pigments. Throws InputError: see pigments::repaint().
-std::shared_ptr<const scene::Scene> with_pigments(scene::Scene&& scene, const SceneOptions& options);
+std::shared_ptr<const scene::AssetData> with_pigments(scene::AssetData&& scene, const SceneOptions& options);
 
 }  // namespace dermis::api

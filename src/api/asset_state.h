@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "dermis/asset.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 
 namespace dermis {
 
@@ -20,14 +20,14 @@ struct Asset::State {
     bool holds_time = false;      ///< a scene file says at which time of its clip it stands
   };
 
-  std::shared_ptr<const scene::Scene> data;
+  std::shared_ptr<const scene::AssetData> data;
   std::optional<Source> source;  ///< none: made in memory
 
-  static Asset make(std::shared_ptr<const scene::Scene> data, std::optional<Source> source = {}) {
+  static Asset make(std::shared_ptr<const scene::AssetData> data, std::optional<Source> source = {}) {
     return Asset(std::make_shared<const State>(State{std::move(data), std::move(source)}));
   }
   /// Null for an asset that was moved away.
-  static std::shared_ptr<const scene::Scene> of(const Asset& asset) {
+  static std::shared_ptr<const scene::AssetData> of(const Asset& asset) {
     return asset.state_ ? asset.state_->data : nullptr;
   }
   static const std::optional<Source>& source_of(const Asset& asset) { return asset.state_->source; }

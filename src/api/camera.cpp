@@ -5,8 +5,8 @@
 #include <glm/glm.hpp>
 
 #include "api/scene_state.h"
-#include "setup/choose.h"
-#include "setup/frame_setup.h"
+#include "render/setup/choose.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis {
 namespace {

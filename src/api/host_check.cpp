@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "gpu/formats.h"
 
 namespace dermis::api {

@@ -6,7 +6,7 @@
 
 #include "dermis/vulkan.h"
 #include "gpu/device.h"
-#include "passes/targets.h"
+#include "render/passes/targets.h"
 
 namespace dermis::api {
 

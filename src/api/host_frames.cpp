@@ -7,9 +7,9 @@
 #include "api/host_check.h"
 #include "api/host_frames_state.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "setup/camera_matrices.h"
-#include "setup/frame_data.h"
+#include "base/core/error.h"
+#include "render/setup/camera_matrices.h"
+#include "render/setup/frame_data.h"
 
 namespace dermis::vulkan {
 
@@ -108,7 +108,7 @@ passes::DrawIrradiance HostFrames::State::irradiance_drawer(const gpu::BufferBin
       [this, records_at](gpu::Cmd& cmd, const gpu::Texture& map, std::span<const passes::UsedSquare> used) {
         std::vector<IrradianceSquare> squares;
         for (const passes::UsedSquare& square : used) {
-          const setup::HeadSetup& head = frame.setup().heads[square.instance];
+          const setup::Head& head = frame.setup().heads[square.instance];
           const std::uint32_t mesh = square.mesh - frame.setup().plan.models[head.model].first_mesh;
           squares.push_back({.instance = ids[head.instance],
                              .skin_mesh = mesh,
@@ -192,7 +192,7 @@ void HostFrames::State::record_depth(VkCommandBuffer commands, const std::array<
 
   std::vector<passes::HostDepthInstance> shown;
   const std::vector<passes::Instance> on_device = frame.scene().instances();
-  for (const setup::HeadSetup& head : frame.setup().heads)
+  for (const setup::Head& head : frame.setup().heads)
     if (scene.instance(ids[head.instance]).visible)
       shown.push_back({.scene = on_device[head.instance].scene,
                        .look = on_device[head.instance].look,

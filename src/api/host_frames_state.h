@@ -10,7 +10,7 @@
 #include "api/planned_frame.h"
 #include "dermis/vulkan.h"
 #include "gpu/frame_memory.h"
-#include "passes/host_depth/host_depth.h"
+#include "render/passes/pixels/host_depth/host_depth.h"
 
 namespace dermis::vulkan {
 

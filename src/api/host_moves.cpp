@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "gpu/device.h"
 
 namespace dermis::api {

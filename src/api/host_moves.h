@@ -9,7 +9,7 @@
 
 #include "api/scene_on_device.h"
 #include "dermis/vulkan.h"
-#include "passes/deform/deform.h"
+#include "render/passes/pose/deform/deform.h"
 
 namespace dermis::api {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "api/host_records.h"
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::api {
 

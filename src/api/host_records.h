@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "passes/frame_data.h"
-#include "setup/frame_setup.h"
+#include "render/passes/frame_data.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::api {
 

@@ -6,9 +6,9 @@
 #include "api/host_check.h"
 #include "api/host_frames_state.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "setup/camera_matrices.h"
-#include "techniques/technique.h"
+#include "base/core/error.h"
+#include "render/setup/camera_matrices.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::vulkan {
 namespace {

@@ -5,7 +5,7 @@
 #include <new>
 #include <string>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "dermis/scene.h"
 
 namespace dermis::api {

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "passes/labels/labels_io.h"
-#include "setup/frame_data.h"
+#include "render/passes/pixels/labels/labels_io.h"
+#include "render/setup/frame_data.h"
 
 namespace dermis::api {
 
@@ -15,7 +15,7 @@ void Motion::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, cons
   const bool row = setup.heads.size() > placed.instances.size();
 
   for (std::size_t h = 0; h < setup.heads.size(); ++h) {
-    const setup::HeadSetup& head = setup.heads[h];
+    const setup::Head& head = setup.heads[h];
     const setup::PlacedAsset& now = placed.instances[head.instance];
     const std::pair key(ids[head.instance], row ? head.number : 0);
     const Stood stands{

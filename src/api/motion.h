@@ -9,10 +9,10 @@
 
 #include "dermis/scene.h"
 #include "gpu/frame_memory.h"
-#include "passes/frame_data.h"
-#include "setup/frame_setup.h"
-#include "setup/placed_scene.h"
-#include "shared/instance_io.h"
+#include "render/passes/frame_data.h"
+#include "render/setup/frame_setup.h"
+#include "render/setup/placed_scene.h"
+#include "render/shared/instance_io.h"
 
 namespace dermis::api {
 
@@ -29,7 +29,7 @@ class Motion {
 
  private:
   struct Stood {
-    std::shared_ptr<const scene::Scene> asset;
+    std::shared_ptr<const scene::AssetData> asset;
     io::InstanceIo instance;
     std::shared_ptr<const setup::PosedAsset> posed;  // null: none
   };

@@ -6,12 +6,12 @@
 #include <cstring>
 #include <set>
 
-#include "core/assert.h"
-#include "core/error.h"
-#include "core/known_names.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
+#include "base/core/known_names.h"
+#include "base/settings/names.h"
 #include "image/colour.h"
-#include "settings/names.h"
-#include "techniques/mapped_terms.h"
+#include "render/techniques/mapped_terms.h"
 
 namespace dermis::api {
 namespace {
@@ -87,9 +87,8 @@ std::vector<std::uint8_t> display_values(const std::vector<float>& rgba, bool is
 void check_light_is_stored(const techniques::Shown& shown, const std::string& name,
                            const setup::FrameSetup& setup) {
   using Needs = techniques::Shown::Needs;
-  const auto head = std::find_if(setup.heads.rbegin(), setup.heads.rend(), [&](const setup::HeadSetup& h) {
-    return setup.plan.models[h.model].meshes > 0;
-  });
+  const auto head = std::find_if(setup.heads.rbegin(), setup.heads.rend(),
+                                 [&](const setup::Head& h) { return setup.plan.models[h.model].meshes > 0; });
   if (shown.needs == Needs::nothing || head == setup.heads.rend()) return;
 
   const std::uint32_t mesh = setup.plan.models[head->model].first_mesh;
@@ -183,12 +182,12 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
 
   if (!setup.technique->has_light_maps) return;
   st.used_size.resize(setup.heads.size());
-  for (const setup::HeadSetup& head : setup.heads)
+  for (const setup::Head& head : setup.heads)
     st.used_size[static_cast<std::size_t>(head.number)] =
         head.visible ? static_cast<int>(head.detail.side) : 0;
 
   st.mapped_terms.resize(setup.heads.size());
-  for (const setup::HeadSetup& head : setup.heads) {
+  for (const setup::Head& head : setup.heads) {
     const techniques::Model& model = setup.plan.models[head.model];
     int& most = st.mapped_terms[static_cast<std::size_t>(head.number)];
     for (std::uint32_t mesh = model.first_mesh; head.visible && mesh < model.first_mesh + model.meshes;

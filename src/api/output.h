@@ -7,7 +7,7 @@
 
 #include "dermis/renderer.h"
 #include "frame/executor.h"
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::api {
 

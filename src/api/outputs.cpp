@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "core/assert.h"
-#include "passes/labels/label_planes.h"
-#include "passes/labels/labels_io.h"
+#include "base/core/assert.h"
+#include "render/passes/pixels/labels/label_planes.h"
+#include "render/passes/pixels/labels/labels_io.h"
 
 namespace dermis {
 namespace {

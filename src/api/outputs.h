@@ -10,7 +10,7 @@
 
 namespace dermis::api {
 
-/// The LABEL_... bits of passes/labels.
+/// The LABEL_... bits of render/passes/pixels/labels.
 std::uint32_t label_bits(Outputs wanted);
 ReadbackSizes readback_sizes(Outputs wanted, std::uint64_t pixels);
 /// Spans over the memory of `readback`, which they keep.

@@ -5,10 +5,10 @@
 
 #include "api/output.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "setup/camera_matrices.h"
-#include "techniques/lambert/lambert.h"
-#include "techniques/screen.h"
+#include "base/core/error.h"
+#include "render/setup/camera_matrices.h"
+#include "render/techniques/lambert/lambert.h"
+#include "render/techniques/screen.h"
 
 namespace dermis::api {
 namespace {

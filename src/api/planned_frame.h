@@ -15,7 +15,7 @@
 #include "api/scene_on_device.h"
 #include "api/shadow_versions.h"
 #include "frame/executor.h"
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::api {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "api/asset_state.h"
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::api {
 

@@ -8,7 +8,7 @@
 #include "environment/body_shape.h"
 #include "gpu/device.h"
 #include "image/colour.h"
-#include "setup/turned_sky.h"
+#include "render/setup/turned_sky.h"
 
 namespace dermis::api {
 namespace {
@@ -42,7 +42,7 @@ gpu::Texture written_map(gpu::Device& device, const std::string& name, std::uint
 }  // namespace
 
 std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device, const AssetPointer& asset) {
-  passes::GpuScene& scene = *asset->gpu;
+  passes::GpuAsset& scene = *asset->gpu;
   scene.make_rig(device, *asset->subject.scene, asset->subject.skin);
   auto posed = std::make_shared<Posed>();
   posed->asset = asset;
@@ -77,7 +77,7 @@ std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device,
 void PosedInstances::make_sky(gpu::Device& device, Posed& posed) {
   if (!posed.shape.sky.empty()) return;
   const setup::Subject& subject = posed.asset->subject;
-  passes::GpuScene& scene = *posed.asset->gpu;
+  passes::GpuAsset& scene = *posed.asset->gpu;
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {
     passes::GpuRig::Skin& skin = scene.rig->skin[i];
     if (skin.sky_texels) continue;
@@ -198,7 +198,7 @@ void PosedInstances::add_sky_turn(gpu::FrameMemory& memory, const Current& curre
 void PosedInstances::make_recorded(gpu::Device& device, const Current& current) {
   Posed& posed = *current.posed;
   if (posed.matrices) return;
-  const passes::GpuScene& scene = *posed.asset->gpu;
+  const passes::GpuAsset& scene = *posed.asset->gpu;
   const auto make = [&](const char* what, std::size_t bytes) {
     return gpu::Buffer(device, what,
                        {.bytes = std::max<std::size_t>(bytes, 4),
@@ -285,7 +285,7 @@ void PosedInstances::fill(gpu::FrameMemory& memory, const setup::FrameSetup& set
                           bool measured) {
   // Instances that are not seen are moved when they are.
   std::vector<bool> seen(instances_.size(), false), moves(instances_.size(), false);
-  for (const setup::HeadSetup& head : setup.heads)
+  for (const setup::Head& head : setup.heads)
     if (head.visible) seen[head.instance] = true;
 
   for (std::size_t i = 0; i < instances_.size(); ++i) {

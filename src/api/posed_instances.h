@@ -10,9 +10,9 @@
 #include "api/scene_on_device.h"
 #include "dermis/scene.h"
 #include "gpu/frame_memory.h"
-#include "passes/move_rig/move_rig.h"
-#include "passes/turn_sky/turn_sky.h"
-#include "setup/frame_setup.h"
+#include "render/passes/pose/move_rig/move_rig.h"
+#include "render/passes/pose/turn_sky/turn_sky.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::api {
 

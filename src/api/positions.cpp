@@ -6,9 +6,9 @@
 
 #include "api/asset_state.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "scene/placement.h"
-#include "scene/rig.h"
+#include "base/core/error.h"
+#include "head/scene/placement.h"
+#include "head/scene/rig/rig.h"
 
 namespace dermis {
 namespace {
@@ -22,7 +22,7 @@ struct KeptVertex {
 };
 
 // Where the vertices of a mesh of the source are kept: several primitives may have parts of it.
-std::vector<KeptVertex> kept_vertices(const scene::Scene& asset, int mesh,
+std::vector<KeptVertex> kept_vertices(const scene::AssetData& asset, int mesh,
                                       std::span<const std::uint32_t> vertices) {
   std::unordered_map<std::uint32_t, KeptVertex> found;
   for (const std::uint32_t vertex : vertices) found.emplace(vertex, KeptVertex{});
@@ -58,7 +58,7 @@ std::vector<std::array<double, 3>> Scene::positions_m(InstanceId id, int mesh,
   const auto instance = std::ranges::find(state_->instances, id, &State::PlacedInstance::id);
   if (instance == state_->instances.end())
     throw input_error("", "no instance {} in this scene", static_cast<std::uint32_t>(id));
-  const scene::Scene& asset = *Asset::State::of(instance->instance.asset);
+  const scene::AssetData& asset = *Asset::State::of(instance->instance.asset);
 
   std::vector<std::array<double, 3>> positions_m;
   for (const KeptVertex& kept : kept_vertices(asset, mesh, vertices)) {

@@ -6,7 +6,7 @@
 #include "api/exposure.h"
 #include "api/output.h"
 #include "api/planned_frame.h"
-#include "core/log.h"
+#include "base/core/log.h"
 #include "dermis/cancelled.h"
 #include "gpu/frame_memory.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "dermis/profile.h"
-#include "optics/media.h"
-#include "profile/model.h"
-#include "profile/radial.h"
+#include "tissue/optics/media.h"
+#include "tissue/profile/model.h"
+#include "tissue/profile/radial.h"
 
 namespace dermis {
 

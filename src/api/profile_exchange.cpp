@@ -5,17 +5,17 @@
 #include <cmath>
 
 #include "api/profile_curves.h"
-#include "core/error.h"
-#include "core/hooks.h"
-#include "gaussians/exchange.h"
-#include "gaussians/fit.h"
-#include "gaussians/kernel_export.h"
-#include "gaussians/scatter_profile.h"
-#include "profile/burley.h"
-#include "profile/equivalent.h"
-#include "profile/tabulated.h"
-#include "settings/check.h"
-#include "settings/names.h"
+#include "base/core/error.h"
+#include "base/core/hooks.h"
+#include "base/settings/check.h"
+#include "base/settings/names.h"
+#include "tissue/gaussians/exchange.h"
+#include "tissue/gaussians/fit.h"
+#include "tissue/gaussians/kernel_export.h"
+#include "tissue/gaussians/scatter_profile.h"
+#include "tissue/profile/burley.h"
+#include "tissue/profile/equivalent.h"
+#include "tissue/profile/tabulated.h"
 
 namespace dermis {
 namespace {

@@ -10,10 +10,10 @@
 #include "api/renderer_state.h"
 #include "api/scene_state.h"
 #include "api/shader_scope.h"
+#include "base/settings/names.h"
 #include "dermis/vulkan.h"
-#include "settings/names.h"
-#include "setup/frame_setup.h"
-#include "techniques/shaders.h"
+#include "render/setup/frame_setup.h"
+#include "render/techniques/shaders.h"
 
 namespace dermis {
 namespace {
@@ -46,7 +46,7 @@ Renderer::State::State(const vulkan::Host& host, const Hooks& hooks)
 
 std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   std::vector<api::AssetPointer> of_instances;
-  std::map<std::shared_ptr<const scene::Scene>, api::AssetPointer> known;
+  std::map<std::shared_ptr<const scene::AssetData>, api::AssetPointer> known;
   std::erase_if(live_assets, [&](const std::weak_ptr<api::SharedAsset>& live) {
     const api::AssetPointer asset = live.lock();
     if (asset) known[asset->subject.scene] = asset;
@@ -54,7 +54,7 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   });
 
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
-    const std::shared_ptr<const scene::Scene> data = Asset::State::of(placed.instance.asset);
+    const std::shared_ptr<const scene::AssetData> data = Asset::State::of(placed.instance.asset);
     api::AssetPointer& asset = known[data];
     if (!asset) {
       asset = std::make_shared<api::SharedAsset>(
@@ -127,11 +127,11 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
     environment_lights = setup::environment_lights(
         environment::split_sources(setup::read_environment(*source)).sources, settings);
 
-  std::map<std::shared_ptr<const scene::Scene>, setup::Subject> examined;
+  std::map<std::shared_ptr<const scene::AssetData>, setup::Subject> examined;
   std::vector<const setup::Subject*> subjects;
   std::vector<scene::BoundingSphere> spheres;
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
-    const std::shared_ptr<const scene::Scene> asset = Asset::State::of(placed.instance.asset);
+    const std::shared_ptr<const scene::AssetData> asset = Asset::State::of(placed.instance.asset);
     auto found = examined.find(asset);
     if (found == examined.end()) found = examined.emplace(asset, setup::examine(asset)).first;
     subjects.push_back(&found->second);

@@ -9,7 +9,7 @@
 #include "api/memory.h"
 #include "api/readbacks.h"
 #include "api/scene_on_device.h"
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 #include "dermis/renderer.h"
 #include "gpu/device.h"
 #include "gpu/pipelines.h"

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/known_names.h"
-#include "core/one_line.h"
-#include "scene/limits.h"
+#include "base/core/error.h"
+#include "base/core/known_names.h"
+#include "base/core/one_line.h"
+#include "head/scene/import/limits.h"
 
 namespace dermis::api {
 namespace {
 
-const scene::Rig& rig_of(const scene::Scene& asset) {
+const scene::Rig& rig_of(const scene::AssetData& asset) {
   if (!asset.rig && !asset.why_no_rig.empty())
     throw input_error(
         asset.name,
@@ -23,7 +23,7 @@ const scene::Rig& rig_of(const scene::Scene& asset) {
   return *asset.rig;
 }
 
-void require(const scene::Scene& asset, bool holds, const std::string& member, const char* range,
+void require(const scene::AssetData& asset, bool holds, const std::string& member, const char* range,
              double got) {
   if (!holds) throw input_error(asset.name, "{} must be {}, got {}", member, range, got);
 }
@@ -37,7 +37,7 @@ std::string weight_name(const scene::Rig& rig, std::size_t node, std::size_t tar
   return names.empty() || names[target].empty() ? std::to_string(target) : names[target];
 }
 
-void set_weight(const scene::Scene& asset, const MorphWeight& wanted, scene::Pose& pose) {
+void set_weight(const scene::AssetData& asset, const MorphWeight& wanted, scene::Pose& pose) {
   const scene::Rig& rig = *asset.rig;
   require(asset, std::abs(wanted.weight) <= 100, fmt::format("pose: weight '{}'", wanted.name), "-100 to 100",
           wanted.weight);
@@ -53,7 +53,7 @@ void set_weight(const scene::Scene& asset, const MorphWeight& wanted, scene::Pos
                       listed_names(wanted.name, morph_names(asset)));
 }
 
-std::size_t find_joint(const scene::Scene& asset, const std::string& name) {
+std::size_t find_joint(const scene::AssetData& asset, const std::string& name) {
   const scene::Rig& rig = *asset.rig;
   std::size_t found = rig.nodes.size(), count = 0;
   for (std::size_t node = 0; node < rig.nodes.size(); ++node)
@@ -69,7 +69,7 @@ std::size_t find_joint(const scene::Scene& asset, const std::string& name) {
   return found;
 }
 
-void set_joint(const scene::Scene& asset, const JointTransform& wanted, scene::Pose& pose) {
+void set_joint(const scene::AssetData& asset, const JointTransform& wanted, scene::Pose& pose) {
   scene::Transform& to = pose[find_joint(asset, wanted.name)].transform;
   const auto member = [&](const char* what) {
     return fmt::format("pose: {} of joint '{}'", what, wanted.name);
@@ -90,7 +90,7 @@ void set_joint(const scene::Scene& asset, const JointTransform& wanted, scene::P
   to.rotation = glm::normalize(q);
 }
 
-const scene::Clip& clip_called(const scene::Scene& asset, const std::string& name) {
+const scene::Clip& clip_called(const scene::AssetData& asset, const std::string& name) {
   const std::vector<std::string>& names = asset.clips;
   const std::optional<std::size_t> number = scene::clip_number(names, name);
   if (!number) throw input_error(asset.name, "has no clip '{}'; {}", name, listed_names(name, names));
@@ -99,7 +99,7 @@ const scene::Clip& clip_called(const scene::Scene& asset, const std::string& nam
   return clip.clip;
 }
 
-scene::Pose played(const scene::Scene& asset, const std::optional<ClipTime>& at, const char* member) {
+scene::Pose played(const scene::AssetData& asset, const std::optional<ClipTime>& at, const char* member) {
   scene::Pose pose = asset.rig->rest;
   if (!at) return pose;
   require(asset, std::isfinite(at->seconds), fmt::format("pose: {}.seconds", member), "finite", at->seconds);
@@ -107,7 +107,7 @@ scene::Pose played(const scene::Scene& asset, const std::optional<ClipTime>& at,
   return pose;
 }
 
-scene::Pose made_of(const scene::Scene& asset, const RigPose& pose) {
+scene::Pose made_of(const scene::AssetData& asset, const RigPose& pose) {
   rig_of(asset);
   require(asset, pose.blend >= 0 && pose.blend <= 1, "pose: blend", "0 to 1", pose.blend);
   scene::Pose result = played(asset, pose.clip, "clip");
@@ -119,14 +119,14 @@ scene::Pose made_of(const scene::Scene& asset, const RigPose& pose) {
 
 }  // namespace
 
-std::vector<std::string> joint_names(const scene::Scene& asset) {
+std::vector<std::string> joint_names(const scene::AssetData& asset) {
   std::vector<std::string> names;
   for (std::size_t node = 0; asset.rig && node < asset.rig->nodes.size(); ++node)
     names.push_back(joint_name(*asset.rig, node));
   return names;
 }
 
-std::vector<std::string> morph_names(const scene::Scene& asset) {
+std::vector<std::string> morph_names(const scene::AssetData& asset) {
   std::vector<std::string> names;
   for (std::size_t node = 0; asset.rig && node < asset.rig->nodes.size(); ++node)
     for (std::size_t target = 0; target < asset.rig->rest[node].weights.size(); ++target) {
@@ -137,16 +137,16 @@ std::vector<std::string> morph_names(const scene::Scene& asset) {
 }
 
 // Names of a file may hold anything.
-const scene::Clip& find_clip(const scene::Scene& asset, const std::string& name) {
+const scene::Clip& find_clip(const scene::AssetData& asset, const std::string& name) {
   const auto found = with_one_line_errors([&] { return &clip_called(asset, name); });
   return *found;
 }
 
-scene::Pose resolved(const scene::Scene& asset, const RigPose& pose) {
+scene::Pose resolved(const scene::AssetData& asset, const RigPose& pose) {
   return with_one_line_errors([&] { return made_of(asset, pose); });
 }
 
-std::shared_ptr<const setup::PosedAsset> posed_asset(const scene::Scene& asset,
+std::shared_ptr<const setup::PosedAsset> posed_asset(const scene::AssetData& asset,
                                                      const std::optional<RigPose>& pose) {
   if (!pose) return nullptr;
   const scene::Pose nodes = resolved(asset, *pose);

@@ -11,14 +11,14 @@
 #include "api/rig_pose.h"
 #include "api/scene_state.h"
 #include "api/vectors.h"
-#include "core/assert.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hooks.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hooks.h"
 #include "environment/environment.h"
-#include "gaussians/scatter_profile.h"
-#include "scene/framing.h"
-#include "scene/views.h"
+#include "head/scene/framing.h"
+#include "head/scene/views.h"
+#include "tissue/gaussians/scatter_profile.h"
 
 namespace dermis {
 namespace {
@@ -283,7 +283,7 @@ std::uint64_t Scene::environment_changes() const { return state_->environment_ch
 
 namespace api {
 
-const scene::Scene& only_asset(const Scene& scene) {
+const scene::AssetData& only_asset(const Scene& scene) {
   DERMIS_ASSERT_EQ(scene.state().instances.size(), std::size_t{1});
   return *Asset::State::of(scene.state().instances.front().instance.asset);
 }

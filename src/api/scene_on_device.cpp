@@ -9,10 +9,10 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/hooks.h"
-#include "core/warnings.h"
-#include "passes/labels/labels.h"
-#include "setup/preparation.h"
+#include "base/core/hooks.h"
+#include "base/core/warnings.h"
+#include "render/passes/pixels/labels/labels.h"
+#include "render/setup/preparation.h"
 
 namespace dermis::api {
 namespace {
@@ -77,7 +77,7 @@ void add_shape(gpu::Device& device, SharedAsset& asset) {
 void add_label_vertices(gpu::Device& device, SharedAsset& asset) {
   if (asset.has_label_vertices) return;
   const UploadTime time(asset);
-  const scene::Scene& scene = *asset.subject.scene;
+  const scene::AssetData& scene = *asset.subject.scene;
   const setup::LabelVertices found =
       setup::preparation("labels of the face").label_vertices(scene, asset.subject.skin, asset.source);
   for (std::size_t i = 0; i < found.skin.size(); ++i)
@@ -235,8 +235,7 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
   if (!environment) return;
   std::vector<bool> shown(assets_.size(), false);
   for (std::size_t i = 0; host && i < shown.size(); ++i) shown[i] = scene.instances[i].visible;
-  for (const setup::HeadSetup& head : setup.heads)
-    shown[head.instance] = shown[head.instance] || head.visible;
+  for (const setup::Head& head : setup.heads) shown[head.instance] = shown[head.instance] || head.visible;
 
   const double rotation_deg = settings.lighting.environment_rotation_deg;
   SharedBy<SharedSky, SkyKey> known;

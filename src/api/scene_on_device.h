@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "dermis/asset.h"
-#include "passes/frame_data.h"
-#include "passes/gpu_scene.h"
-#include "setup/environment_light.h"
-#include "setup/frame_setup.h"
-#include "setup/subject.h"
+#include "render/passes/asset/gpu_asset.h"
+#include "render/passes/frame_data.h"
+#include "render/setup/environment_light.h"
+#include "render/setup/frame_setup.h"
+#include "render/setup/subject.h"
 
 namespace dermis::api {
 
@@ -20,7 +20,7 @@ namespace dermis::api {
 struct SharedAsset {
   setup::Subject subject;
   std::optional<Asset> source{};        ///< whose landmarks divide the skin; none: not asked for
-  std::optional<passes::GpuScene> gpu;  ///< looks point into it: never moved
+  std::optional<passes::GpuAsset> gpu;  ///< looks point into it: never moved
   /// one per skin mesh, once an environment was asked for; values are on the device only
   std::vector<environment::Occlusion> bent_normal;
   bool has_shape = false;           ///< vertices know the shape of the body, once a profile asked for it

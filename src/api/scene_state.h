@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dermis/scene.h"
-#include "setup/placed_scene.h"
+#include "render/setup/placed_scene.h"
 
 namespace dermis {
 
@@ -48,7 +48,7 @@ struct Scene::State {
 namespace api {
 
 /// Returns what the asset of a scene of one instance holds.
-const scene::Scene& only_asset(const Scene& scene);
+const scene::AssetData& only_asset(const Scene& scene);
 
 /// Returns the scene as a frame or the reference takes it. `spheres`: that around the skin of each instance's
 /// asset, in its own coordinates.

@@ -8,7 +8,7 @@
 #include "api/output.h"
 #include "api/outputs.h"
 #include "api/planned_frame.h"
-#include "core/error.h"
+#include "base/core/error.h"
 #include "gpu/frame_memory.h"
 #include "gpu/transfer.h"
 

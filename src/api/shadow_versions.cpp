@@ -14,7 +14,7 @@ bool is_same(const std::weak_ptr<T>& a, const std::weak_ptr<T>& b) {
 }
 
 // A host writes what it deforms, its images and its shadow maps whenever it likes.
-bool may_change_unseen(const setup::HeadSetup& head, const SharedLook& look, const setup::HostSetup* host) {
+bool may_change_unseen(const setup::Head& head, const SharedLook& look, const setup::HostSetup* host) {
   return !head.host_shadows.empty() || !look.settings.maps.empty() ||
          (host &&
           std::find(host->deformed.begin(), host->deformed.end(), head.instance) != host->deformed.end());
@@ -33,7 +33,7 @@ void ShadowVersions::fill(const setup::FrameSetup& setup, const SceneOnDevice& s
   if (!setup.plan.keep_shadows) return;
   heads_.resize(setup.heads.size());
   for (std::size_t i = 0; i < setup.heads.size(); ++i) {
-    const setup::HeadSetup& head = setup.heads[i];
+    const setup::Head& head = setup.heads[i];
     const std::shared_ptr<const SharedLook>& look = scene.look(head.instance);
     if (may_change_unseen(head, *look, host)) continue;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "api/scene_on_device.h"
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::api {
 

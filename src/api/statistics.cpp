@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
+#include "base/settings/json.h"
 #include "dermis/renderer.h"
-#include "settings/json.h"
 
 namespace dermis {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// The shape of the body around each vertex of the skin: what changes how much light leaves it
-/// (profile/shape_laws.h). Curvature comes from scene/curvature.h, thickness from rays into the body.
-/// Based on: [SSC08] Shapira, Shamir, Cohen-Or: Consistent Mesh Partitioning and Skeletonisation using the
-/// Shape
+/// (tissue/profile/shape_laws.h). Curvature comes from head/scene/surface/curvature.h, thickness from rays
+/// into the body. Based on: [SSC08] Shapira, Shamir, Cohen-Or: Consistent Mesh Partitioning and
+/// Skeletonisation using the Shape
 ///           Diameter Function. The Visual Computer 24, 2008 (rays into a cone around the inward normal)
 #pragma once
 
 #include <filesystem>
 #include <vector>
 
-#include "scene/curvature.h"
-#include "scene/unwrap.h"
+#include "head/scene/surface/curvature.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::environment {
 
@@ -26,12 +26,12 @@ inline constexpr scene::CurvatureScales curvature_scales{.narrow_mm = 2.5, .wide
 /// alone the convex rims of closed lids and lips would shine.
 ///
 /// The result does not depend on the number of threads. Counts
-/// steps (core/hooks.h): takes up to a second, and throws Cancelled if its caller ends it.
-std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh);
+/// steps (base/core/hooks.h): takes up to a second, and throws Cancelled if its caller ends it.
+std::vector<scene::VertexShape> body_shape(const scene::AssetData& scene, const scene::SkinMesh& mesh);
 
-/// The same, or from a file in `folder` (none if empty; see core/cache.h), named by a hash of all that it
-/// depends on. Writes nothing if cancelled.
-std::vector<scene::VertexShape> cached_body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh,
+/// The same, or from a file in `folder` (none if empty; see base/core/cache.h), named by a hash of all that
+/// it depends on. Writes nothing if cancelled.
+std::vector<scene::VertexShape> cached_body_shape(const scene::AssetData& scene, const scene::SkinMesh& mesh,
                                                   const std::filesystem::path& folder);
 
 }  // namespace dermis::environment

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/error.h"
-#include "core/log.h"
+#include "base/core/error.h"
+#include "base/core/log.h"
 
 namespace dermis::environment {
 

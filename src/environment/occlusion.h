@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "environment/harmonics.h"
-#include "scene/unwrap.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::environment {
 
@@ -43,13 +43,13 @@ int occlusion_side(std::size_t meshes);
 
 /// Bakes the occlusion of a mesh. Occluders are opaque materials and what the alpha test leaves of cut-out
 /// ones; blended parts (lashes, brows) are none. The result does not depend on the number of threads. Counts
-/// steps (core/hooks.h): takes seconds, and throws Cancelled if its caller ends it.
-Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+/// steps (base/core/hooks.h): takes seconds, and throws Cancelled if its caller ends it.
+Occlusion bake_occlusion(const scene::AssetData& scene, const scene::SkinMesh& mesh,
                          const OcclusionSettings& settings = {});
 
-/// Bakes, or reads the result from a file in `folder` (no files if empty; see core/cache.h), named by a hash
-/// of all that it depends on. Writes nothing if cancelled.
-Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+/// Bakes, or reads the result from a file in `folder` (no files if empty; see base/core/cache.h), named by a
+/// hash of all that it depends on. Writes nothing if cancelled.
+Occlusion cached_occlusion(const scene::AssetData& scene, const scene::SkinMesh& mesh,
                            const std::filesystem::path& folder, const OcclusionSettings& settings = {});
 
 /// Irradiance per texel, side * side * 4 values, RGB never negative.

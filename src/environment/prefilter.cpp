@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/parallel.h"
+#include "base/core/parallel.h"
 #include "environment/environment.h"
 #include "environment/radical_inverse.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/assert.h"
-#include "core/parallel.h"
+#include "base/core/assert.h"
+#include "base/core/parallel.h"
 #include "environment/occlusion.h"
 #include "image/colour.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/coverage.h"
+#include "head/scene/surface/coverage.h"
 
 namespace dermis::environment {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/unwrap.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::environment {
 

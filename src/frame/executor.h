@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 #include "frame/barriers.h"
 #include "frame/plan.h"
 #include "frame/resources.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 #include "gpu/resources.h"
 #include "gpu/vulkan.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 #include "frame/graph.h"
 #include "gpu/cmd.h"
 #include "gpu/resources.h"

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <sstream>
 
-#include "core/error.h"
-#include "core/known_names.h"
+#include "base/core/error.h"
+#include "base/core/known_names.h"
 
 namespace dermis::gpu {
 namespace {

@@ -6,9 +6,9 @@
 #include <mutex>
 #include <utility>
 
-#include "core/assert.h"
-#include "core/error.h"
-#include "core/log.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
+#include "base/core/log.h"
 #include "gpu/choose.h"
 #include "gpu/instance.h"
 #include "gpu/loader.h"

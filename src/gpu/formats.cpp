@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 #include "gpu/resources.h"
 
 namespace dermis::gpu {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 #include "gpu/device.h"
 
 namespace dermis::gpu {

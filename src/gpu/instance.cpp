@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "gpu/choose.h"
 #include "gpu/device.h"
 

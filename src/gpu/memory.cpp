@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "core/assert.h"
-#include "core/error.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
 #include "gpu/device.h"
 #include "gpu/mib.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/cache.h"
+#include "base/core/cache.h"
 
 namespace dermis::gpu {
 namespace {

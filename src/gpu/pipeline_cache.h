@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stores driver code in a file between runs. Drivers check only their own header, and crash on damaged data
-// behind it. So the file is one of core/cache.h, with a checksum, and begins with our own header that
+// behind it. So the file is one of base/core/cache.h, with a checksum, and begins with our own header that
 // identifies device and driver.
 #pragma once
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/assert.h"
-#include "core/cache.h"
-#include "core/error.h"
+#include "base/core/assert.h"
+#include "base/core/cache.h"
+#include "base/core/error.h"
 #include "gpu/device.h"
 #include "gpu/formats.h"
 #include "gpu/pipeline_cache.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 #include "gpu/pipelines.h"
 
 namespace dermis::gpu {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/assert.h"
-#include "core/error.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
 #include "gpu/device.h"
 #include "gpu/formats.h"
 #include "gpu/memory.h"

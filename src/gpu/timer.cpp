@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/timer.h"
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 #include "gpu/device.h"
 
 namespace dermis::gpu {

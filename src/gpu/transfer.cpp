@@ -3,7 +3,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 #include "gpu/device.h"
 #include "gpu/formats.h"
 #include "gpu/raw.h"

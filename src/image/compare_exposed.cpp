@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "image/compare_exposed.h"
 
-#include "core/assert.h"
-#include "core/error.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 

@@ -8,9 +8,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/assert.h"
-#include "core/error.h"
-#include "core/parallel.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
+#include "base/core/parallel.h"
 #include "image/colour.h"
 #include "image/compare_flip_colour.h"
 #include "image/compare_flip_filters.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 
 namespace dermis::image {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/assert.h"
-#include "core/parallel.h"
+#include "base/core/assert.h"
+#include "base/core/parallel.h"
 #include "image/shrink.h"
 
 namespace dermis::image {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/assert.h"
-#include "core/parallel.h"
+#include "base/core/assert.h"
+#include "base/core/parallel.h"
 #include "image/colour.h"
 
 namespace dermis::image {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scene/wrap.h"
+#include "head/scene/wrap.h"
 
 namespace dermis::rays {
 namespace {
@@ -29,7 +29,7 @@ double alpha_of(const image::Image8& pixels, const scene::MapRef& map, const glm
 
 }  // namespace
 
-bool is_cut_away(const scene::Scene& scene, const SurfacePoint& s) {
+bool is_cut_away(const scene::AssetData& scene, const SurfacePoint& s) {
   const scene::Material& material = scene.materials[s.material];
   if (material.alpha_mode != AssetAlpha::mask) return false;
   double alpha = double{material.base_colour.a} * s.colour.a;

@@ -7,6 +7,6 @@
 namespace dermis::rays {
 
 /// Returns whether the material's alpha mode is mask and its alpha at the point is below the cutoff.
-bool is_cut_away(const scene::Scene& scene, const SurfacePoint& s);
+bool is_cut_away(const scene::AssetData& scene, const SurfacePoint& s);
 
 }  // namespace dermis::rays

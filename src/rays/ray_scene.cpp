@@ -10,11 +10,11 @@
 #include <tuple>
 #include <type_traits>
 
-#include "core/error.h"
-#include "core/hooks.h"
+#include "base/core/error.h"
+#include "base/core/hooks.h"
+#include "head/scene/placement.h"
 #include "rays/alpha_test.h"
 #include "rays/embree.h"
-#include "scene/placement.h"
 
 namespace dermis::rays {
 namespace {
@@ -87,7 +87,7 @@ std::optional<Hit> nearest_in(RTCScene scene, const std::vector<Copy>& copies, c
 
 }  // namespace
 
-bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive) {
+bool is_skin(const scene::AssetData& scene, const scene::Primitive& primitive) {
   return scene.materials[static_cast<std::size_t>(primitive.material)].skin;
 }
 
@@ -168,7 +168,7 @@ struct RayScene::Scenes {
   }
 };
 
-RayScene::RayScene(const scene::Scene& scene) : scene_(&scene), scenes_(std::make_unique<Scenes>()) {
+RayScene::RayScene(const scene::AssetData& scene) : scene_(&scene), scenes_(std::make_unique<Scenes>()) {
   const std::array trees{scenes_->all, scenes_->solid, scenes_->cut_out, scenes_->skin,
                          scenes_->skin_gathered};
   Steps steps("sorting the triangles", scene.primitives.size() + trees.size());

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 
 namespace dermis::rays {
 
@@ -22,7 +22,7 @@ struct Ray {
 };
 
 struct Hit {
-  std::uint32_t primitive = 0;  ///< index into Scene::primitives
+  std::uint32_t primitive = 0;  ///< index into AssetData::primitives
   std::uint32_t triangle = 0;
   double u = 0, v = 0;  ///< weights of the second and third corner
   double t_m = 0;
@@ -37,14 +37,14 @@ inline double stand_off_m(const glm::dvec3& p) {
 
 class RayScene {
  public:
-  /// Keeps a reference to the scene. Counts steps (core/hooks.h): takes seconds for millions of triangles.
-  /// Throws DeviceError if Embree cannot start, and Cancelled if its caller ends it.
-  explicit RayScene(const scene::Scene& scene);
+  /// Keeps a reference to the scene. Counts steps (base/core/hooks.h): takes seconds for millions of
+  /// triangles. Throws DeviceError if Embree cannot start, and Cancelled if its caller ends it.
+  explicit RayScene(const scene::AssetData& scene);
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  const scene::Scene& scene() const { return *scene_; }
+  const scene::AssetData& scene() const { return *scene_; }
 
   std::optional<Hit> nearest(const Ray& ray) const;       ///< among all triangles
   std::optional<Hit> nearest_skin(const Ray& ray) const;  ///< among triangles of skin
@@ -62,13 +62,13 @@ class RayScene {
  private:
   struct Scenes;
   std::optional<Hit> nearest_cut_out(Ray ray) const;
-  const scene::Scene* scene_;
+  const scene::AssetData* scene_;
   std::unique_ptr<Scenes> scenes_;
   bool has_cut_outs_ = false;
   glm::dvec3 low_m_{1e300}, high_m_{-1e300};
 };
 
 /// Returns whether the primitive is skin, with or without texture coordinates.
-bool is_skin(const scene::Scene& scene, const scene::Primitive& primitive);
+bool is_skin(const scene::AssetData& scene, const scene::Primitive& primitive);
 
 }  // namespace dermis::rays

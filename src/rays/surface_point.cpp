@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "scene/placement.h"
+#include "head/scene/placement.h"
 
 namespace dermis::rays {
 namespace {
@@ -17,7 +17,7 @@ struct Corners {
   const scene::Vertex *a = nullptr, *b = nullptr, *c = nullptr;
 };
 
-void find_corners(const scene::Scene& scene, const Hit& hit, Corners& corners) {
+void find_corners(const scene::AssetData& scene, const Hit& hit, Corners& corners) {
   const scene::Primitive& p = scene.primitives[hit.primitive];
   const std::uint32_t* index = &p.indices[3 * static_cast<std::size_t>(hit.triangle)];
   corners.a = &p.vertices[index[0]];
@@ -32,7 +32,7 @@ void find_corners(const scene::Scene& scene, const Hit& hit, Corners& corners) {
   corners.c = &corners.placed[2];
 }
 
-bool is_mirrored(const scene::Scene& scene, const Hit& hit) {
+bool is_mirrored(const scene::AssetData& scene, const Hit& hit) {
   const scene::Primitive& p = scene.primitives[hit.primitive];
   return !p.placements.empty() && p.placements[hit.copy].mirrored;
 }
@@ -44,7 +44,7 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
 
 }  // namespace
 
-SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit) {
+SurfacePoint surface_point(const scene::AssetData& scene, const Hit& hit) {
   Corners corners;
   find_corners(scene, hit, corners);
   const auto [a, b, c] = std::tie(corners.a, corners.b, corners.c);

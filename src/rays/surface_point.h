@@ -20,6 +20,6 @@ struct SurfacePoint {
   std::size_t material = 0;
 };
 
-SurfacePoint surface_point(const scene::Scene& scene, const Hit& hit);
+SurfacePoint surface_point(const scene::AssetData& scene, const Hit& hit);
 
 }  // namespace dermis::rays

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Options: 2 for a command line that cannot be parsed, 1 with the range or the known names for a value that
 // makes no sense.
+#include "base/settings/fields.h"
 #include "cli/program.h"
 #include "cli/tiny_gltf.h"
-#include "settings/fields.h"
 
 namespace dermis::tests {
 namespace {

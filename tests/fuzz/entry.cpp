@@ -2,7 +2,7 @@
 // What libFuzzer calls. DERMIS_FUZZ_TARGET is the name of one of the functions of targets.h.
 #include <cstdint>
 
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 #include "targets.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

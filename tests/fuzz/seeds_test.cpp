@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "support/log_lines.h"
 #include "targets.h"
 

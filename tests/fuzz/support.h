@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/assert.h"
-#include "core/error.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
 #include "targets.h"
 
 namespace dermis::fuzz {

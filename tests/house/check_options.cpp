@@ -63,7 +63,7 @@ Violations check_option_names(const std::vector<SourceFile>& tree) {
   Violations found;
   for (const SourceFile& file : tree) {
     const bool of_library = file.path.starts_with("src/") || file.path.starts_with("include/");
-    if (!of_library || !is_code(file.path) || file.path.starts_with("src/report/")) continue;
+    if (!of_library || !is_code(file.path) || file.path.starts_with("src/tools/report/")) continue;
     std::string raw_end;
     for (std::size_t i = 0; i < file.lines.size(); ++i)
       for (const std::string& literal : literals_of(file.lines[i], raw_end))

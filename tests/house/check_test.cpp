@@ -150,6 +150,29 @@ TEST(HouseCheck, FindsAPublicHeaderThatIncludesTheInside) {
   EXPECT_TRUE(one_about(includes(tree), "a public header includes a file of src/"));
 }
 
+TEST(HouseCheck, RoomsLieWithinFolders) {
+  MadeUpTree tree;
+  for (const char* room : {"base/core", "render/passes", "render/techniques"})
+    tree.add(std::string("src/") + room + "/CMakeLists.txt", "");
+  tree.add("src/base/core/a.h", "namespace dermis {\n")
+      .add("src/render/passes/light_map/pool.h", "#include \"base/core/a.h\"\nnamespace dermis::passes {\n")
+      .add("src/render/passes/light_map/tiles/tiles.h",
+           "#include \"render/passes/light_map/pool.h\"\nnamespace dermis::passes {\n")
+      .add("src/render/passes/scatter/blur/blur.h",
+           "#include \"render/passes/light_map/pool.h\"\nnamespace dermis::passes {\n");
+  EXPECT_EQ(includes(tree), house::Violations{});
+  EXPECT_EQ(house::check_namespaces(tree.read()), house::Violations{});
+  EXPECT_EQ(house::rooms_of(tree.read()), (std::set<std::string>{"core", "passes", "techniques"}));
+
+  tree.add("src/render/passes/scatter/blur/blur.cpp",
+           "#include \"render/passes/light_map/tiles/tiles.h\"\nnamespace dermis::passes {\n");
+  EXPECT_TRUE(one_about(includes(tree), "a pass is included from outside its folder"));
+  tree.add("src/render/passes/scatter/blur/blur.cpp", "namespace dermis::render {\n")
+      .add("src/base/core/b.h", "#include \"render/passes/light_map/pool.h\"\nnamespace dermis {\n");
+  EXPECT_TRUE(one_about(includes(tree), "'core' may not include 'passes'"));
+  EXPECT_TRUE(one_about(house::check_namespaces(tree.read()), "'dermis::render' in the room 'passes'"));
+}
+
 TEST(HouseCheck, FindsARoomWithoutATarget) {
   MadeUpTree tree;
   tree.add("src/attic/a.cpp", "#include \"core/a.h\"\n").add("src/core/a.h", "");
@@ -304,7 +327,7 @@ TEST(HouseCheck, FindsOptionsInTextsOfTheLibrary) {
            "throw input_error(\"a \\\"smaller\\\" --map-size holds it\");\n");
   tree.add("src/api/b.cpp", "const char* text = R\"css(\n  see --tone-map \"\n)css\"; --n; // --size\n");
   tree.add("include/dermis/a.h", "/// dermis render --profile\ninline const char* help = \"--help\";\n");
-  tree.add("src/report/page.cpp", "const char* style = \"{ --at: 50% }\";\n");
+  tree.add("src/tools/report/page.cpp", "const char* style = \"{ --at: 50% }\";\n");
   tree.add("apps/cli/a.cpp", "add(\"--size\");\n");
   const std::string says = " in a text of the library: name the setting";
   EXPECT_EQ(house::check_option_names(tree.read()),
@@ -315,7 +338,8 @@ TEST(HouseCheck, FindsOptionsInTextsOfTheLibrary) {
 
 TEST(HouseCheck, FindsWhatTheViewerLeavesToOthers) {
   MadeUpTree tree;
-  tree.add("src/settings/fields.h", "{.help = \"how far the lamps stand from the head\",\n .unit = \"m\"}\n");
+  tree.add("src/base/settings/fields.h",
+           "{.help = \"how far the lamps stand from the head\",\n .unit = \"m\"}\n");
   tree.add("apps/viewer/window/ui_renderer.cpp", "VkBuffer buffer;\nvkCmdDrawIndexed(commands);\n");
   tree.add("apps/viewer/window/ui.frag", "void main() {}\n");
   tree.add("apps/viewer/panels/a.cpp", "std::string vkontakte;  // a Vkontakte\n");

@@ -37,7 +37,7 @@ std::vector<std::string> texts_of_rows(const std::vector<SourceFile>& tree) {
   static const std::regex text(R"re("([^"\\]{32,})")re");
   std::vector<std::string> texts;
   for (const SourceFile& file : tree) {
-    if (!file.path.starts_with("src/settings/") || !file.path.ends_with("fields.h")) continue;
+    if (!file.path.starts_with("src/base/settings/") || !file.path.ends_with("fields.h")) continue;
     for (const std::string& line : file.lines)
       for (std::sregex_iterator at(line.begin(), line.end(), text), end; at != end; ++at)
         texts.push_back((*at)[1]);

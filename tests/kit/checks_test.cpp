@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "kit/child.h"
 #include "kit/plan.h"
 

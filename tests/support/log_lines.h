@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 
 namespace dermis::tests {
 

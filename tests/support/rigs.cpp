@@ -27,7 +27,7 @@ scene::RigMesh morphing_mesh(const scene::Primitive& primitive,
 
 }  // namespace
 
-std::shared_ptr<const scene::Rig> morphing(const scene::Scene& made,
+std::shared_ptr<const scene::Rig> morphing(const scene::AssetData& made,
                                            const std::function<glm::vec3(const glm::vec3&)>& moved) {
   auto rig = std::make_shared<scene::Rig>();
   rig->rest.resize(1);

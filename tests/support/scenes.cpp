@@ -33,7 +33,7 @@ scene::Light directional_light(const glm::vec3& direction, const glm::vec3& irra
   return light;
 }
 
-void add_sheet(scene::Scene& made, float size_m, float z_m) {
+void add_sheet(scene::AssetData& made, float size_m, float z_m) {
   scene::Primitive sheet{.name = "sheet", .material = static_cast<int>(made.materials.size())};
   made.materials.push_back({.name = "sheet"});
   for (int i = 0; i < 4; ++i) {

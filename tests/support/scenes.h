@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 
 namespace dermis::tests {
 
@@ -20,6 +20,6 @@ scene::Light directional_light(const glm::vec3& direction, const glm::vec3& irra
 
 /// Adds an opaque sheet, in a material of its own, over the half x > 0 of what lies below `z_m`: from 0 to
 /// `size_m` along x, so far to both sides along y.
-void add_sheet(scene::Scene& made, float size_m, float z_m);
+void add_sheet(scene::AssetData& made, float size_m, float z_m);
 
 }  // namespace dermis::tests

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/core/error.h"
 #include "cli/bench/recorded.h"
-#include "core/error.h"
 
 namespace dermis::cli::bench {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "base/core/error.h"
 #include "cli/bench/contest.h"
 #include "cli/bench/pictures.h"
 #include "cli/progress.h"
-#include "core/error.h"
 
 namespace dermis::cli::bench {
 namespace {

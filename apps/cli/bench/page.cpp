@@ -9,10 +9,10 @@
 
 #include "cli/bench/paper.h"
 #include "cli/bench/passes.h"
-#include "report/charts.h"
-#include "report/escape.h"
-#include "report/html.h"
-#include "report/svg.h"
+#include "tools/report/charts.h"
+#include "tools/report/escape.h"
+#include "tools/report/html.h"
+#include "tools/report/svg.h"
 
 namespace dermis::cli::bench {
 namespace {

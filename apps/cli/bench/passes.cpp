@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "base/core/assert.h"
 #include "cli/bench/statistics.h"
-#include "core/assert.h"
 
 namespace dermis::cli::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "json/document.h"
-#include "settings/fields.h"
+#include "base/json/document.h"
+#include "base/settings/fields.h"
 
 namespace dermis::cli::bench {
 namespace {

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/core/assert.h"
+#include "base/settings/json.h"
+#include "base/settings/names.h"
 #include "cli/bench/paper.h"
-#include "core/assert.h"
-#include "settings/json.h"
-#include "settings/names.h"
 
 namespace dermis::cli::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/assert.h"
+#include "base/core/assert.h"
 
 namespace dermis::cli::bench {
 

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "base/core/error.h"
+#include "base/core/log.h"
 #include "cli/bench/contest.h"
 #include "cli/progress.h"
-#include "core/error.h"
-#include "core/log.h"
-#include "techniques/technique.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::cli::bench {
 namespace {

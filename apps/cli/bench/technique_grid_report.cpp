@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/settings/json.h"
 #include "cli/bench/passes.h"
 #include "cli/bench/technique_grid.h"
-#include "report/charts.h"
-#include "report/escape.h"
-#include "report/html.h"
-#include "settings/json.h"
+#include "tools/report/charts.h"
+#include "tools/report/escape.h"
+#include "tools/report/html.h"
 
 namespace dermis::cli::bench {
 namespace {

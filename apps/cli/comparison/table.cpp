@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "base/core/error.h"
+#include "base/core/known_names.h"
 #include "cli/progress.h"
 #include "cli/test_scenes/test_scenes.h"
-#include "core/error.h"
-#include "core/known_names.h"
 #include "dermis/cancelled.h"
 
 namespace dermis::cli::comparison {

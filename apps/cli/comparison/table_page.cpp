@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "cli/comparison/table.h"
-#include "report/escape.h"
-#include "report/html.h"
+#include "tools/report/escape.h"
+#include "tools/report/html.h"
 
 namespace dermis::cli::comparison {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "report/escape.h"
-#include "report/html.h"
+#include "tools/report/escape.h"
+#include "tools/report/html.h"
 
 namespace dermis::cli::demo {
 namespace {

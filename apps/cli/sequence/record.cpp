@@ -14,9 +14,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hash.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hash.h"
 
 namespace dermis::cli::sequence {
 namespace {

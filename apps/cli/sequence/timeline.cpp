@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/core/error.h"
+#include "base/settings/fields.h"
 #include "cli/settings_options.h"
-#include "core/error.h"
-#include "settings/fields.h"
 
 namespace dermis::cli::sequence {
 namespace {

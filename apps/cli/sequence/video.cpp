@@ -16,8 +16,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.h"
-#include "core/file.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
 
 extern "C" char** environ;  // NOLINT: what POSIX calls it
 

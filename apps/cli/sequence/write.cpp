@@ -12,6 +12,10 @@
 
 #include "api/fingerprint.h"
 #include "api/prepare/asset_files.h"
+#include "base/core/file.h"
+#include "base/core/hash.h"
+#include "base/core/hooks.h"
+#include "base/settings/json.h"
 #include "cli/picture_hints.h"
 #include "cli/progress.h"
 #include "cli/sequence/frames.h"
@@ -21,13 +25,9 @@
 #include "cli/sequence/video.h"
 #include "cli/sequence/writers.h"
 #include "cli/version.h"
-#include "core/file.h"
-#include "core/hash.h"
-#include "core/hooks.h"
 #include "dermis/cancelled.h"
 #include "image/codec.h"
 #include "image/tone_map.h"
-#include "settings/json.h"
 
 namespace dermis::cli::sequence {
 namespace {

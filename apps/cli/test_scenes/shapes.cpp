@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "scene/primitives.h"
-#include "scene/tangents.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/tangents.h"
 
 namespace dermis::cli::test_scenes {
 namespace {
@@ -67,8 +67,8 @@ void append(scene::Primitive& to, const Patch& patch) {
 }
 
 /// One head of one mesh.
-scene::Scene of(const std::string& name, const std::vector<Patch>& patches) {
-  scene::Scene made;
+scene::AssetData of(const std::string& name, const std::vector<Patch>& patches) {
+  scene::AssetData made;
   made.name = name;
   made.materials.push_back(skin(0.8f));
   scene::Primitive mesh{.name = name, .node = 0, .has_uv = true};
@@ -80,7 +80,7 @@ scene::Scene of(const std::string& name, const std::vector<Patch>& patches) {
 }
 
 /// A map of one black texel: skin that reflects nothing at its surface.
-int add_matt_map(scene::Scene& made) {
+int add_matt_map(scene::AssetData& made) {
   made.images.push_back({"matt", std::make_shared<const image::Image8>(
                                      image::Image8{.width = 1, .height = 1, .rgba = {0, 0, 0, 255}})});
   return static_cast<int>(made.images.size()) - 1;
@@ -91,10 +91,10 @@ double bump(double x) { return std::abs(x) < 1 ? std::pow(std::cos(pi / 2 * x), 
 
 }  // namespace
 
-scene::Scene lit_half_plane(LitHalf lit, double edge_m) {
+scene::AssetData lit_half_plane(LitHalf lit, double edge_m) {
   constexpr double half_m = 0.15;
   constexpr int cells = 16;
-  scene::Scene made;
+  scene::AssetData made;
   made.name = "lit edge";
   const int matt = add_matt_map(made);
   const double edge = (edge_m + half_m) / (2 * half_m);
@@ -122,7 +122,7 @@ scene::Scene lit_half_plane(LitHalf lit, double edge_m) {
   return made;
 }
 
-scene::Scene nose_on_cheek() {
+scene::AssetData nose_on_cheek() {
   const auto point = [](double s, double t) {
     const double x = 0.2 * (s - 0.5), y = 0.2 * (t - 0.5);
     return glm::dvec3(x, y, 0.028 * bump(x / 0.016) * bump(y / 0.045));
@@ -130,13 +130,13 @@ scene::Scene nose_on_cheek() {
   return of("nose before a cheek", {{.across = 160, .down = 96, .point_m = point}});
 }
 
-scene::Scene thin_lens() {
-  scene::Scene lens = scene::ellipsoid({0.02, 0.032, 0.0015}, 48);
+scene::AssetData thin_lens() {
+  scene::AssetData lens = scene::ellipsoid({0.02, 0.032, 0.0015}, 48);
   lens.name = "thin ear";
   return lens;
 }
 
-scene::Scene open_curl() {
+scene::AssetData open_curl() {
   constexpr double inner_m = 0.006, thickness_m = 0.003, half_length_m = 0.025, rim_m = thickness_m / 2,
                    middle_m = inner_m + rim_m, outer_m = inner_m + thickness_m, first = 0.25 * pi,
                    last = 1.75 * pi;
@@ -183,7 +183,7 @@ scene::Scene open_curl() {
              strip(-1, 0.94)});
 }
 
-scene::Scene fringe() {
+scene::AssetData fringe() {
   constexpr int fingers = 9;
   constexpr double height_m = 0.06, between_m = 0.008, width = 1.0 / fingers;
   std::vector<Patch> patches;

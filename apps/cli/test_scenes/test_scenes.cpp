@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "api/asset_state.h"
+#include "base/core/error.h"
+#include "base/core/known_names.h"
 #include "cli/test_scenes/shapes.h"
-#include "core/error.h"
-#include "core/known_names.h"
-#include "scene/framing.h"
+#include "head/scene/framing.h"
 
 namespace dermis::cli::test_scenes {
 namespace {
@@ -41,59 +41,59 @@ scene::Light sun(double azimuth_deg, double elevation_deg, double irradiance = p
   return light;
 }
 
-Asset asset_of(scene::Scene made) {
-  return Asset::State::make(std::make_shared<const scene::Scene>(std::move(made)));
+Asset asset_of(scene::AssetData made) {
+  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(made)));
 }
 
 /// The built-in head without a name of a file: what follows changes it.
-scene::Scene head(const Hooks& hooks) { return *Asset::State::of(Asset::built_in(hooks)); }
+scene::AssetData head(const Hooks& hooks) { return *Asset::State::of(Asset::built_in(hooks)); }
 
-scene::Scene tilted(double tilt_deg) {
-  scene::Scene made = lit_half_plane(LitHalf::below_x, 0);
+scene::AssetData tilted(double tilt_deg) {
+  scene::AssetData made = lit_half_plane(LitHalf::below_x, 0);
   made.cameras.push_back(camera(tilt_deg, 0.06));
   made.lights.push_back(sun(0, 0));
   return made;
 }
 
-scene::Scene nose() {
-  scene::Scene made = nose_on_cheek();
+scene::AssetData nose() {
+  scene::AssetData made = nose_on_cheek();
   made.cameras.push_back(camera(52, 0.09, {0, 0, 0.01}));
   made.lights.push_back(sun(-50, 15));
   return made;
 }
 
-scene::Scene outside() {
+scene::AssetData outside() {
   constexpr double seen_m = 0.06;
-  scene::Scene made = lit_half_plane(LitHalf::below_y, -seen_m / 2 - 0.0005);
+  scene::AssetData made = lit_half_plane(LitHalf::below_y, -seen_m / 2 - 0.0005);
   made.cameras.push_back(camera(0, seen_m));
   made.lights.push_back(sun(0, 0));
   return made;
 }
 
-scene::Scene thin_ear() {
-  scene::Scene made = thin_lens();
+scene::AssetData thin_ear() {
+  scene::AssetData made = thin_lens();
   made.cameras.push_back(camera(25, 0.08));
   made.lights.push_back(sun(170, 10));
   return made;
 }
 
-scene::Scene curl() {
-  scene::Scene made = open_curl();
+scene::AssetData curl() {
+  scene::AssetData made = open_curl();
   made.cameras.push_back(camera(55, 0.056));
   made.lights.push_back(sun(100, 10));
   return made;
 }
 
-scene::Scene silhouettes() {
-  scene::Scene made = fringe();
+scene::AssetData silhouettes() {
+  scene::AssetData made = fringe();
   made.cameras.push_back(camera(0, 0.08));
   made.lights.push_back(sun(60, 20));
   return made;
 }
 
-scene::Scene small_head(int picture_height, const Hooks& hooks) {
+scene::AssetData small_head(int picture_height, const Hooks& hooks) {
   constexpr double pixels = 30, fov = 20;
-  scene::Scene made = head(hooks);
+  scene::AssetData made = head(hooks);
   const scene::Bounds bounds = scene::skin_bounds(made);
   const double height_m = double{bounds.high_m.y} - double{bounds.low_m.y},
                seen_m = height_m * std::max(picture_height, 1) / pixels;
@@ -101,9 +101,9 @@ scene::Scene small_head(int picture_height, const Hooks& hooks) {
   return made;
 }
 
-scene::Scene two_eyes(const Hooks& hooks) {
+scene::AssetData two_eyes(const Hooks& hooks) {
   constexpr double between_m = 0.063, distance_m = 0.8;
-  scene::Scene made = head(hooks);
+  scene::AssetData made = head(hooks);
   const glm::dvec3 target_m = scene::skin_sphere(made).centre_m;
   made.cameras.clear();
   for (const double side : {-1.0, 1.0}) {
@@ -116,8 +116,8 @@ scene::Scene two_eyes(const Hooks& hooks) {
   return made;
 }
 
-scene::Scene without_perspective(const Hooks& hooks) {
-  scene::Scene made = head(hooks);
+scene::AssetData without_perspective(const Hooks& hooks) {
+  scene::AssetData made = head(hooks);
   const scene::BoundingSphere sphere = scene::skin_sphere(made);
   scene::Camera camera = scene::look_at_camera(
       glm::dvec3(sphere.centre_m) + 1.0 * scene::head_direction(25, 5), glm::dvec3(sphere.centre_m));
@@ -148,21 +148,21 @@ Scene overlapping_heads(const Hooks& hooks) {
 
 struct Row {
   TestScene scene;
-  scene::Scene (*make)(int picture_height, const Hooks& hooks);  ///< null: of several instances
+  scene::AssetData (*make)(int picture_height, const Hooks& hooks);  ///< null: of several instances
 };
 
 template <int Degrees>
-scene::Scene turned(int, const Hooks&) {
+scene::AssetData turned(int, const Hooks&) {
   return tilted(Degrees);
 }
 
-template <scene::Scene (*Make)()>
-scene::Scene plain(int, const Hooks&) {
+template <scene::AssetData (*Make)()>
+scene::AssetData plain(int, const Hooks&) {
   return Make();
 }
 
-template <scene::Scene (*Make)(const Hooks&)>
-scene::Scene of_head(int, const Hooks& hooks) {
+template <scene::AssetData (*Make)(const Hooks&)>
+scene::AssetData of_head(int, const Hooks& hooks) {
   return Make(hooks);
 }
 
@@ -204,7 +204,7 @@ std::vector<TestScene> all() {
 Scene make(std::string_view prefixed_name, int picture_height, const Hooks& hooks) {
   const Row& row = row_of(prefixed_name.substr(std::min(prefix.size(), prefixed_name.size())));
   if (!row.make) return overlapping_heads(hooks);
-  scene::Scene made = row.make(picture_height, hooks);
+  scene::AssetData made = row.make(picture_height, hooks);
   made.name = prefixed_name;
   return Scene(asset_of(std::move(made)));
 }

@@ -8,8 +8,8 @@
 
 #include "api/scene_state.h"
 #include "api/vectors.h"
-#include "setup/choose.h"
-#include "setup/frame_camera.h"
+#include "render/setup/choose.h"
+#include "render/setup/frame_camera.h"
 
 namespace dermis::viewer {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "shared/scene_io.h"
+#include "render/shared/scene_io.h"
 #include "viewer/model/document.h"
 
 namespace dermis::viewer {

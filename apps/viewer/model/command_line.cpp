@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "base/settings/fields.h"
 #include "cli/command_line.h"
 #include "dermis/setting_rows.h"
-#include "settings/fields.h"
 
 namespace dermis::viewer {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "api/scene_state.h"
 #include "api/vectors.h"
-#include "scene/framing.h"
-#include "setup/choose.h"
+#include "head/scene/framing.h"
+#include "render/setup/choose.h"
 
 namespace dermis::viewer {
 namespace {

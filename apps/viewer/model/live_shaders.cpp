@@ -9,11 +9,11 @@
 #include <span>
 #include <utility>
 
-#include "core/error.h"
-#include "core/file.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
 #include "dermis/cancelled.h"
 #include "gpu/replaced_shader.h"
-#include "techniques/shaders.h"
+#include "render/techniques/shaders.h"
 
 namespace dermis::viewer {
 namespace {

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hooks.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hooks.h"
+#include "base/settings/json.h"
 #include "environment/environment.h"
-#include "settings/json.h"
 
 namespace dermis::viewer {
 namespace {

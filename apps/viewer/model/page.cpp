@@ -4,9 +4,9 @@
 #include <chrono>
 #include <filesystem>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hooks.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hooks.h"
 #include "dermis/cancelled.h"
 #include "viewer/model/program.h"
 

@@ -17,7 +17,7 @@
 
 #include "dermis/renderer.h"
 #include "dermis/session.h"
-#include "shared/scene_io.h"
+#include "render/shared/scene_io.h"
 #include "viewer/model/live_shaders.h"
 #include "viewer/model/priority.h"
 

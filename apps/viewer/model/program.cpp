@@ -11,7 +11,7 @@
 #include <fstream>
 #include <thread>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "dermis/cancelled.h"
 
 namespace dermis::viewer {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "viewer/model/camera_moves.h"
 #include "viewer/model/command_line.h"
 #include "viewer/model/program.h"

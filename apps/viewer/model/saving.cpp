@@ -2,11 +2,11 @@
 #include "viewer/model/saving.h"
 
 #include "api/asset_state.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "gaussians/known.h"
-#include "gaussians/scatter_profile.h"
-#include "settings/json.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/settings/json.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/scatter_profile.h"
 #include "viewer/model/command_line.h"
 
 namespace dermis::viewer {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "settings/fields.h"
+#include "base/settings/fields.h"
 #include "viewer/model/camera_moves.h"
 
 namespace dermis::viewer {

@@ -6,14 +6,14 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/core/cache.h"
+#include "base/core/error.h"
+#include "base/core/hooks.h"
+#include "base/core/parallel.h"
+#include "base/settings/profile_fields.h"
 #include "cli/profile_report.h"
-#include "core/cache.h"
-#include "core/error.h"
-#include "core/hooks.h"
-#include "core/parallel.h"
-#include "gaussians/json.h"
-#include "gaussians/scatter_profile.h"
-#include "settings/profile_fields.h"
+#include "tissue/gaussians/json.h"
+#include "tissue/gaussians/scatter_profile.h"
 
 namespace dermis::viewer {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::viewer {
 namespace {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "settings/fields.h"
+#include "base/settings/fields.h"
 #include "viewer/model/label_views.h"
 #include "viewer/model/page.h"
 #include "viewer/model/shown_maps.h"

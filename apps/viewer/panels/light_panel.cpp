@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "settings/fields.h"
-#include "settings/names.h"
-#include "settings/scene_fields.h"
+#include "base/settings/fields.h"
+#include "base/settings/names.h"
+#include "base/settings/scene_fields.h"
 #include "viewer/model/light_places.h"
 #include "viewer/panels/desk.h"
 #include "viewer/panels/places.h"

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/settings/check.h"
 #include "cli/settings_options.h"
-#include "settings/check.h"
 #include "viewer/panels/places.h"
 
 namespace dermis::viewer {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Widgets from rows of settings (core/fields.h): names, ranges, units and help are the rows' own.
+/// Widgets from rows of settings (base/core/fields.h): names, ranges, units and help are the rows' own.
 #pragma once
 
 #include <imgui.h>
@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/fields.h"
-#include "core/names.h"
+#include "base/core/fields.h"
+#include "base/core/names.h"
 #include "dermis/settings.h"
 
 namespace dermis::viewer {

@@ -3,7 +3,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "settings/fields.h"
+#include "base/settings/fields.h"
 #include "viewer/model/saving.h"
 #include "viewer/panels/desk.h"
 #include "viewer/panels/places.h"

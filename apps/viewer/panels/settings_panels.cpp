@@ -2,10 +2,10 @@
 // Technique, quality, camera and picture: every setting that has a row.
 #include <imgui.h>
 
+#include "base/settings/fields.h"
+#include "base/settings/names.h"
 #include "dermis/error.h"
-#include "settings/fields.h"
-#include "settings/names.h"
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 #include "viewer/panels/desk.h"
 #include "viewer/panels/rows.h"
 #include "viewer/panels/settings_rows.h"

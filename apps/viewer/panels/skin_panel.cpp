@@ -6,11 +6,11 @@
 
 #include <cstdio>
 
-#include "gaussians/exchange.h"
-#include "gaussians/known.h"
-#include "optics/presets.h"
-#include "settings/names.h"
-#include "settings/profile_fields.h"
+#include "base/settings/names.h"
+#include "base/settings/profile_fields.h"
+#include "tissue/gaussians/exchange.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/optics/presets.h"
 #include "viewer/model/opening.h"
 #include "viewer/model/saving.h"
 #include "viewer/panels/desk.h"

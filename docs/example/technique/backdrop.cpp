@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A technique, whole: it draws all but the skin (hair, eyes, clothes). ARCHITECTURE.md, "Adding a technique".
-#include "techniques/screen.h"
-#include "techniques/technique.h"
+#include "render/techniques/screen.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::techniques {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 

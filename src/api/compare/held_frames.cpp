@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "gpu/device.h"
 
 namespace dermis::api {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 
-#include "settings/names.h"
-#include "techniques/technique.h"
+#include "base/settings/names.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::api {
 namespace {

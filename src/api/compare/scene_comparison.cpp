@@ -14,22 +14,22 @@
 #include "api/compare/turns.h"
 #include "api/output.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "core/hooks.h"
-#include "core/known_names.h"
-#include "core/log.h"
+#include "base/core/error.h"
+#include "base/core/hooks.h"
+#include "base/core/known_names.h"
+#include "base/core/log.h"
+#include "base/settings/check.h"
+#include "base/settings/names.h"
 #include "dermis/cancelled.h"
 #include "dermis/compare.h"
-#include "gaussians/one.h"
 #include "image/codec.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 #include "image/resize.h"
 #include "image/tone_map.h"
-#include "settings/check.h"
-#include "settings/names.h"
-#include "setup/choose.h"
-#include "techniques/technique.h"
+#include "render/setup/choose.h"
+#include "render/techniques/technique.h"
+#include "tissue/gaussians/one.h"
 
 namespace dermis {
 namespace {
@@ -119,7 +119,7 @@ class Comparer {
 Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
   Scene::State state = scene.state();
   for (Scene::State::PlacedInstance& placed : state.instances) {
-    auto copy = std::make_shared<scene::Scene>(*Asset::State::of(placed.instance.asset));
+    auto copy = std::make_shared<scene::AssetData>(*Asset::State::of(placed.instance.asset));
     for (scene::Material& material : copy->materials)
       if (material.skin)
         material.skin_settings.profile =

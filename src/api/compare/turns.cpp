@@ -4,7 +4,7 @@
 #include <map>
 
 #include "api/compare/held_frames.h"
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 #include "dermis/cancelled.h"
 
 namespace dermis::api {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "api/asset_state.h"
-#include "core/file.h"
-#include "scene/gltf/document.h"
-#include "scene/gltf/uri.h"
+#include "base/core/file.h"
+#include "head/scene/gltf/document.h"
+#include "head/scene/gltf/uri.h"
 
 namespace dermis::api {
 namespace {

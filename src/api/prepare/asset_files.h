@@ -2,7 +2,7 @@
 /// Files of assets, beyond what a scene keeps of them.
 #pragma once
 
-#include "core/hash.h"
+#include "base/core/hash.h"
 #include "dermis/scene.h"
 
 namespace dermis::api {

@@ -43,7 +43,7 @@ io::LabelVertexIo FaceParts::of_skin(const glm::dvec3& position_m) const {
           .kind = 0};
 }
 
-io::LabelVertexIo FaceParts::of_surface(const scene::Scene& scene, const scene::Primitive& primitive,
+io::LabelVertexIo FaceParts::of_surface(const scene::AssetData& scene, const scene::Primitive& primitive,
                                         const glm::dvec3& position_m) const {
   io::LabelVertexIo vertex = of_skin(position_m);
   const scene::Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "dermis/asset.h"
-#include "passes/labels/labels_io.h"
-#include "regions/face_parts.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
+#include "render/passes/pixels/labels/labels_io.h"
+#include "truth/regions/face_parts.h"
 
 namespace dermis::api {
 
@@ -20,7 +20,7 @@ class FaceParts {
   /// Returns what is known of a vertex of skin without rays.
   io::LabelVertexIo of_skin(const glm::dvec3& position_m) const;
   /// Returns the part of a vertex of what is drawn as no skin.
-  io::LabelVertexIo of_surface(const scene::Scene& scene, const scene::Primitive& primitive,
+  io::LabelVertexIo of_surface(const scene::AssetData& scene, const scene::Primitive& primitive,
                                const glm::dvec3& position_m) const;
 
  private:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::api {
 namespace {

@@ -10,17 +10,17 @@
 #include "api/asset_state.h"
 #include "api/scene_state.h"
 #include "api/vectors.h"
-#include "builtin_head/face_points.h"
-#include "core/error.h"
-#include "landmarks/known.h"
-#include "landmarks/places.h"
-#include "scene/placement.h"
-#include "scene/rig.h"
+#include "base/core/error.h"
+#include "head/builtin_head/face_points.h"
+#include "head/landmarks/known.h"
+#include "head/landmarks/places.h"
+#include "head/scene/placement.h"
+#include "head/scene/rig/rig.h"
 
 namespace dermis {
 
 struct Landmarks::State {
-  std::shared_ptr<const scene::Scene> asset;
+  std::shared_ptr<const scene::AssetData> asset;
   std::array<LandmarkPlace, count> places;
   landmarks::KeptPlaces kept;
 };

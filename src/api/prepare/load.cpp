@@ -8,14 +8,14 @@
 #include "api/asset_options.h"
 #include "api/asset_state.h"
 #include "api/prepare/scene_file.h"
-#include "builtin_head/builtin_head.h"
-#include "core/cache.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hooks.h"
-#include "core/known_names.h"
+#include "base/core/cache.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hooks.h"
+#include "base/core/known_names.h"
 #include "dermis/scene.h"
-#include "scene/load.h"
+#include "head/builtin_head/builtin_head.h"
+#include "head/scene/import/load.h"
 
 namespace dermis {
 namespace {
@@ -38,7 +38,8 @@ Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options
   const scene::LoadOptions load = api::load_options(options);
   if (const std::string name = path.string(); name.starts_with(built_in_prefix)) {
     const std::string skin = name.substr(built_in_prefix.size());
-    scene::Scene made = builtin_head::make({.tone = tone_of(name, skin), .cache = cache::default_folder()});
+    scene::AssetData made =
+        builtin_head::make({.tone = tone_of(name, skin), .cache = cache::default_folder()});
     if (skin != "medium") made.name = name;
     const bool changed = api::changes_pigments(options);
     return State::make(
@@ -54,8 +55,8 @@ Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options
 
 Asset Asset::built_in(const Hooks& hooks) {
   const HookScope scope(hooks);
-  scene::Scene made = builtin_head::make({.cache = cache::default_folder()});
-  return State::make(std::make_shared<const scene::Scene>(std::move(made)), State::Source{});
+  scene::AssetData made = builtin_head::make({.cache = cache::default_folder()});
+  return State::make(std::make_shared<const scene::AssetData>(std::move(made)), State::Source{});
 }
 
 Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/error.h"
-#include "core/file.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
 #include "dermis/renderer.h"
 #include "image/codec.h"
 

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include "setup/preparation.h"
+#include "render/setup/preparation.h"
 
 #include "api/prepare/face_parts.h"
-#include "core/cache.h"
-#include "core/hooks.h"
+#include "base/core/cache.h"
+#include "base/core/hooks.h"
 #include "environment/body_shape.h"
-#include "pigments/maps.h"
-#include "regions/parts.h"
+#include "head/pigments/maps.h"
+#include "truth/regions/parts.h"
 
 namespace dermis::api {
 namespace {
 
-environment::Occlusion occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+environment::Occlusion occlusion(const scene::AssetData& scene, const scene::SkinMesh& mesh,
                                  const environment::OcclusionSettings& settings) {
   return environment::cached_occlusion(scene, mesh, cache::default_folder(), settings);
 }
 
-std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh) {
+std::vector<scene::VertexShape> body_shape(const scene::AssetData& scene, const scene::SkinMesh& mesh) {
   return environment::cached_body_shape(scene, mesh, cache::default_folder());
 }
 
-setup::LabelVertices label_vertices(const scene::Scene& scene, std::span<const scene::SkinMesh> skin,
+setup::LabelVertices label_vertices(const scene::AssetData& scene, std::span<const scene::SkinMesh> skin,
                                     const std::optional<Asset>& asset) {
   const FaceParts face(asset);
   const std::vector<std::vector<glm::vec2>> parts = regions::parts_of_skin(scene, skin);
@@ -48,7 +48,7 @@ setup::LabelVertices label_vertices(const scene::Scene& scene, std::span<const s
   return found;
 }
 
-void repaint(scene::Scene& scene, const SceneOptions& options) {
+void repaint(scene::AssetData& scene, const SceneOptions& options) {
   pigments::repaint(scene, {.melanin_map = options.melanin_map,
                             .haemoglobin_map = options.haemoglobin_map,
                             .melanin = options.melanin_factor,

@@ -12,22 +12,22 @@
 #include "api/memory.h"
 #include "api/prepare/reference_setup.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hooks.h"
-#include "core/known_names.h"
-#include "core/log.h"
-#include "gaussians/json.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hooks.h"
+#include "base/core/known_names.h"
+#include "base/core/log.h"
+#include "base/settings/check.h"
+#include "head/scene/surface/topology.h"
+#include "head/scene/surface/unwrap.h"
 #include "image/codec.h"
 #include "image/tone_map.h"
-#include "optics/presets.h"
-#include "reference/checkpoint.h"
-#include "reference/render.h"
-#include "scene/topology.h"
-#include "scene/unwrap.h"
-#include "settings/check.h"
-#include "setup/choose.h"
-#include "setup/environment_light.h"
+#include "render/setup/choose.h"
+#include "render/setup/environment_light.h"
+#include "tissue/gaussians/json.h"
+#include "tissue/optics/presets.h"
+#include "truth/reference/checkpoint.h"
+#include "truth/reference/render.h"
 
 namespace dermis {
 namespace {
@@ -74,7 +74,7 @@ optics::RgbMedium choose_medium(const std::string& text, const ScatterProfile& p
 }
 
 /// The skin that light walks in should be closed.
-void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>& skin) {
+void warn_if_open(const scene::AssetData& scene, const std::vector<scene::SkinMesh>& skin) {
   std::vector<scene::Vertex> vertices;
   std::vector<std::uint32_t> indices;
   for (const scene::SkinMesh& mesh : skin) {
@@ -94,7 +94,7 @@ void warn_if_open(const scene::Scene& scene, const std::vector<scene::SkinMesh>&
 constexpr std::size_t tracer_steps = 4, set_up_steps = 4 + tracer_steps;
 
 // `scene`: that of `placed`, flattened.
-reference::Job set_up(const setup::PlacedScene& placed, const scene::Scene& scene,
+reference::Job set_up(const setup::PlacedScene& placed, const scene::AssetData& scene,
                       const std::optional<SceneEnvironment>& of_scene, const RenderSettings& s,
                       const ReferenceSettings& r, Steps& steps) {
   const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
@@ -256,7 +256,7 @@ ReferencePicture rendered(const Scene& scene, const RenderSettings& s, const Ref
         "picture with it reports");
 
   const setup::PlacedScene placed = api::placed_scene(scene);
-  const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
+  const std::shared_ptr<const scene::AssetData> flat = setup::flattened(placed);
   std::optional<Steps> steps(std::in_place, "preparing the ground truth", set_up_steps);
   const reference::Job job = set_up(placed, *flat, scene.environment(), s, r, *steps);
   reference::Film film(s.output.width, s.output.height);
@@ -297,7 +297,7 @@ std::uint64_t api::picture_fingerprint(const Scene& scene, const RenderSettings&
     s.output = {.width = 16, .height = 9};
 
     const setup::PlacedScene placed = placed_scene(scene);
-    const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
+    const std::shared_ptr<const scene::AssetData> flat = setup::flattened(placed);
     Steps steps("reading what the pictures are made of", set_up_steps);
     return reference::fingerprint(*flat, set_up(placed, *flat, scene.environment(), s, {}, steps), 0);
   });

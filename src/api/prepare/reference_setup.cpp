@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "core/error.h"
-#include "scene/framing.h"
-#include "setup/choose.h"
-#include "setup/frame_setup.h"
+#include "base/core/error.h"
+#include "head/scene/framing.h"
+#include "render/setup/choose.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::api {
 

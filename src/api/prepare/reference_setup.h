@@ -3,8 +3,8 @@
 #pragma once
 
 #include "dermis/settings.h"
-#include "reference/settings.h"
-#include "setup/placed_scene.h"
+#include "render/setup/placed_scene.h"
+#include "truth/reference/settings.h"
 
 namespace dermis::api {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "regions/regions.h"
+#include "truth/regions/regions.h"
 
 #include "api/prepare/reference_setup.h"
 #include "api/scene_state.h"
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 #include "dermis/reference.h"
 
 namespace dermis {
@@ -13,7 +13,7 @@ std::vector<PictureRegion> picture_regions(const Scene& scene, const RenderSetti
   const HookScope scope(hooks);
   const setup::PlacedScene placed = api::placed_scene(scene);
   const reference::RenderSetup setup = api::reference_setup(placed, settings);
-  const std::shared_ptr<const scene::Scene> flat = setup::flattened(placed);
+  const std::shared_ptr<const scene::AssetData> flat = setup::flattened(placed);
   const rays::RayScene rays(*flat);
   std::vector<PictureRegion> out;
   for (regions::Region& region : regions::find(rays, setup))

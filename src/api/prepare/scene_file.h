@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "api/asset_state.h"
+#include "base/json/document.h"
 #include "dermis/scene.h"
-#include "json/document.h"
 
 namespace dermis::api {
 

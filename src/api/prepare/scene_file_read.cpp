@@ -9,13 +9,13 @@
 #include "api/prepare/scene_file.h"
 #include "api/rig_pose.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/known_names.h"
-#include "gaussians/json.h"
-#include "gaussians/known.h"
-#include "gaussians/scatter_profile.h"
-#include "settings/json.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/known_names.h"
+#include "base/settings/json.h"
+#include "tissue/gaussians/json.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/scatter_profile.h"
 
 namespace dermis::api {
 namespace {
@@ -207,7 +207,7 @@ class Reader {
 
   fs::path folder_;
   const SceneOptions& options_;
-  Asset stand_in_ = Asset::State::make(std::make_shared<const scene::Scene>());
+  Asset stand_in_ = Asset::State::make(std::make_shared<const scene::AssetData>());
   SceneFile made_;
   std::map<std::string, std::size_t> asset_numbers_;
   std::map<std::string, std::vector<InstanceId>> ids_by_name_;

@@ -6,11 +6,11 @@
 
 #include "api/prepare/scene_file.h"
 #include "api/scene_state.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "gaussians/json.h"
-#include "gaussians/scatter_profile.h"
-#include "settings/json.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/settings/json.h"
+#include "tissue/gaussians/json.h"
+#include "tissue/gaussians/scatter_profile.h"
 
 namespace dermis::api {
 namespace {

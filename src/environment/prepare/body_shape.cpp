@@ -8,12 +8,12 @@
 #include <cstring>
 #include <numbers>
 
-#include "core/cache.h"
-#include "core/hash.h"
-#include "core/hooks.h"
-#include "core/parallel.h"
+#include "base/core/cache.h"
+#include "base/core/hash.h"
+#include "base/core/hooks.h"
+#include "base/core/parallel.h"
+#include "head/scene/surface/open_border.h"
 #include "rays/surface_point.h"
-#include "scene/open_border.h"
 
 namespace dermis::environment {
 namespace {
@@ -88,7 +88,7 @@ scene::VertexShape shape_at(const rays::RayScene& rays, const scene::Vertex& v, 
   return {.curvature = curvature, .thickness_mm = thickness_at(rays, v, mm)};
 }
 
-std::uint64_t shape_hash(const scene::Scene& scene, const scene::SkinMesh& mesh) {
+std::uint64_t shape_hash(const scene::AssetData& scene, const scene::SkinMesh& mesh) {
   dermis::Hash hash;
   hash.add(shape_version);
   hash.add(curvature_scales.narrow_mm);
@@ -124,7 +124,7 @@ std::vector<scene::VertexShape> read_shape(const std::filesystem::path& file, st
 
 }  // namespace
 
-std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh) {
+std::vector<scene::VertexShape> body_shape(const scene::AssetData& scene, const scene::SkinMesh& mesh) {
   Steps steps("the shape of the body", shape_jobs + 2);
   const scene::CurvatureStencil stencil =
       scene::curvature_stencil(mesh.vertices, mesh.indices, scene.mm_per_unit, curvature_scales);
@@ -146,7 +146,7 @@ std::vector<scene::VertexShape> body_shape(const scene::Scene& scene, const scen
   return shape;
 }
 
-std::vector<scene::VertexShape> cached_body_shape(const scene::Scene& scene, const scene::SkinMesh& mesh,
+std::vector<scene::VertexShape> cached_body_shape(const scene::AssetData& scene, const scene::SkinMesh& mesh,
                                                   const std::filesystem::path& folder) {
   const std::filesystem::path file =
       folder.empty() ? folder : folder / fmt::format("occlusion-shape-{:016x}.bin", shape_hash(scene, mesh));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <new>
 
-#include "core/error.h"
-#include "core/known_names.h"
+#include "base/core/error.h"
+#include "base/core/known_names.h"
 #include "environment/environment.h"
 #include "image/codec.h"
 

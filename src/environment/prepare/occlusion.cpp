@@ -7,14 +7,14 @@
 #include <numbers>
 #include <optional>
 
-#include "core/assert.h"
-#include "core/hooks.h"
-#include "core/parallel.h"
+#include "base/core/assert.h"
+#include "base/core/hooks.h"
+#include "base/core/parallel.h"
 #include "environment/prepare/sky_rays.h"
 #include "environment/texel_grid.h"
+#include "head/scene/surface/coverage.h"
 #include "image/colour.h"
 #include "rays/ray_scene.h"
-#include "scene/coverage.h"
 
 namespace dermis::environment {
 namespace {
@@ -87,7 +87,7 @@ Seen seen_by(const SkySums& sums, const glm::dvec3& n) {
 }
 
 // Returns the texel that a ray hits, or `itself`.
-std::uint32_t texel_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
+std::uint32_t texel_of(const scene::AssetData& scene, const scene::SkinMesh& mesh, const rays::Hit& hit,
                        const glm::dvec3& direction, int side) {
   const scene::Primitive& primitive = scene.primitives[hit.primitive];
   const auto found =
@@ -258,7 +258,7 @@ std::optional<Place> place_of_texel(const scene::SkinMesh& mesh, const GridTexel
 
 }  // namespace
 
-Occlusion bake_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+Occlusion bake_occlusion(const scene::AssetData& scene, const scene::SkinMesh& mesh,
                          const OcclusionSettings& settings) {
   DERMIS_ASSERT_LE(16, settings.side);
   DERMIS_ASSERT_LE(settings.side, 4096);

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <span>
 
-#include "core/cache.h"
+#include "base/core/cache.h"
 #include "environment/occlusion.h"
 #include "image/colour.h"
 
@@ -35,7 +35,7 @@ constexpr std::uint32_t version = 5;  // of bake_occlusion and of the file layou
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31;
 
 // Adds all that decides the alpha test of a primitive.
-void add_alpha(Hash& hash, const scene::Scene& scene, const scene::Primitive& primitive,
+void add_alpha(Hash& hash, const scene::AssetData& scene, const scene::Primitive& primitive,
                const scene::Material& material) {
   hash.add(material.alpha_cutoff);
   hash.add(material.base_colour.a);
@@ -57,7 +57,7 @@ void add_alpha(Hash& hash, const scene::Scene& scene, const scene::Primitive& pr
   for (std::size_t i = 3; i < pixels.rgba.size(); i += 4) hash.add(pixels.rgba[i]);
 }
 
-Hash hash_of(const scene::Scene& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
+Hash hash_of(const scene::AssetData& scene, const scene::SkinMesh& mesh, const OcclusionSettings& settings) {
   Hash hash;
   hash.add(version);
   hash.add(settings.side);
@@ -145,7 +145,7 @@ void round_to_half(Occlusion& occlusion) {
 
 }  // namespace
 
-Occlusion cached_occlusion(const scene::Scene& scene, const scene::SkinMesh& mesh,
+Occlusion cached_occlusion(const scene::AssetData& scene, const scene::SkinMesh& mesh,
                            const std::filesystem::path& folder, const OcclusionSettings& settings) {
   const Hash hash = hash_of(scene, mesh, settings);
   const std::filesystem::path file =

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/assert.h"
-#include "core/error.h"
-#include "core/file.h"
-#include "core/log.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/log.h"
 #include "image/colour.h"
 #include "image/files/formats.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/assert.h"
-#include "core/error.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
 #include "image/codec.h"
 #include "image/colour.h"
 #include "image/metrics.h"

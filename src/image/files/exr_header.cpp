@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::image::formats {
 

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "dermis/cancelled.h"
 #include "image/files/exr_header.h"
 #include "image/files/formats.h"

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <exception>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "image/colour.h"
 #include "image/files/formats.h"
 #include "image/layers.h"

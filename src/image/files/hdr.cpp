@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/error.h"
-#include "core/log.h"
+#include "base/core/error.h"
+#include "base/core/log.h"
 #include "image/files/formats.h"
 
 namespace dermis::image::formats {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string_view>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "image/files/formats.h"
 #include "image/layers.h"
 

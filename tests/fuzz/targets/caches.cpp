@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "core/cache.h"
+#include "base/core/cache.h"
 #include "environment/occlusion.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/unwrap.h"
 #include "image/colour.h"
-#include "profile/monte_carlo_cache.h"
-#include "reference/checkpoint.h"
-#include "scene/primitives.h"
-#include "scene/unwrap.h"
 #include "support.h"
+#include "tissue/profile/monte_carlo_cache.h"
+#include "truth/reference/checkpoint.h"
 
 namespace dermis::fuzz {
 namespace {
@@ -74,7 +74,7 @@ bool checkpoint(Bytes choice_and_bytes) {
 bool occlusion_cache(Bytes choice_and_bytes) {
   // The smallest skin, and the file that is right for it.
   struct Right {
-    scene::Scene scene = scene::plane(0.2);
+    scene::AssetData scene = scene::plane(0.2);
     std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
     environment::OcclusionSettings settings{.side = 16, .rays = 1};
     std::filesystem::path folder = scratch_folder() / "occlusion", file;

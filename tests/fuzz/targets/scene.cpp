@@ -7,32 +7,32 @@
 #include <vector>
 
 #include "api/rig_pose.h"
-#include "scene/fine_normals.h"
-#include "scene/framing.h"
-#include "scene/gutters.h"
-#include "scene/load.h"
-#include "scene/unwrap.h"
+#include "head/scene/framing.h"
+#include "head/scene/import/load.h"
+#include "head/scene/surface/fine_normals.h"
+#include "head/scene/surface/gutters.h"
+#include "head/scene/surface/unwrap.h"
 #include "support.h"
 
 namespace dermis::fuzz {
 namespace {
 
 using namespace scene;
-using scene::Scene;  // not the handle of dermis/scene.h
+using scene::AssetData;  // not the handle of dermis/scene.h
 
 void check_finite(const glm::vec3& v) {
   DERMIS_ASSERT(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
 }
 
-void check_map(const Scene& scene, const MapRef& map) {
+void check_map(const AssetData& scene, const MapRef& map) {
   if (!map.present()) return;
   DERMIS_ASSERT_LT(static_cast<std::size_t>(map.image), scene.images.size());
   DERMIS_ASSERT(map.uv_set == 0 || map.uv_set == 1);
   DERMIS_ASSERT(map.channel >= 0 && map.channel < 4);
 }
 
-/// The contract of scene/scene.h, as far as whoever reads a scene relies on it without looking.
-void check_scene(const Scene& scene) {
+/// The contract of head/scene/asset_data.h, as far as whoever reads a scene relies on it without looking.
+void check_scene(const AssetData& scene) {
   DERMIS_ASSERT(!scene.primitives.empty());
 
   for (const Primitive& primitive : scene.primitives) {
@@ -80,7 +80,7 @@ void check_skin(const SkinMesh& mesh) {
 }
 
 /// What a renderer does with a scene before it draws, with maps so small that it takes no time.
-void prepare(const Scene& scene) {
+void prepare(const AssetData& scene) {
   constexpr int side = 32, gutter_texels = 4;
   const std::vector<SkinMesh> skin = skin_meshes(scene);
 
@@ -104,10 +104,10 @@ void check_inside(const Bounds& bounds, const glm::vec3& position_m) {
 }
 
 /// What a renderer does with an instance in a pose: all of it but the device.
-void check_pose(const Scene& rest, const RigPose& pose) {
+void check_pose(const AssetData& rest, const RigPose& pose) {
   accepts([&] {
     const std::shared_ptr<const setup::PosedAsset> posed = api::posed_asset(rest, pose);
-    Scene moved = rest;
+    AssetData moved = rest;
     take_pose(*rest.rig, posed->rig, moved);
     check_scene(moved);
     for (const Primitive& primitive : moved.primitives)
@@ -117,7 +117,7 @@ void check_pose(const Scene& rest, const RigPose& pose) {
 }
 
 /// Poses by the first clips, one with another, and by the names of joints and weights.
-void check_poses(const Scene& scene) {
+void check_poses(const AssetData& scene) {
   if (!scene.rig) return;
   constexpr std::size_t most = 3;
   for (std::size_t i = 0; i < std::min(scene.clips.size(), most); ++i)
@@ -140,7 +140,7 @@ void check_poses(const Scene& scene) {
 bool load_and_prepare(Bytes file) {
   const std::filesystem::path path = put_file("scene", file);
   return accepts([&] {
-    const Scene scene = load_gltf(path);
+    const AssetData scene = load_gltf(path);
     check_scene(scene);
     prepare(scene);
     check_poses(scene);

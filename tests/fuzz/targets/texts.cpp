@@ -7,11 +7,11 @@
 #include "api/prepare/scene_file.h"
 #include "api/scene_state.h"
 #include "cli/bench/recorded.h"
-#include "gaussians/exchange.h"
-#include "gaussians/json.h"
-#include "optics/layers.h"
-#include "profile/tabulated.h"
 #include "support.h"
+#include "tissue/gaussians/exchange.h"
+#include "tissue/gaussians/json.h"
+#include "tissue/optics/layers.h"
+#include "tissue/profile/tabulated.h"
 
 namespace dermis::fuzz {
 namespace {
@@ -24,7 +24,7 @@ std::string written_again(std::string_view text) {
 
   dermis::Scene::State state = file.scene.state();
   for (std::size_t i = 0; i < state.instances.size(); ++i)
-    state.instances[i].instance.asset = Asset::State::make(std::make_shared<const scene::Scene>(),
+    state.instances[i].instance.asset = Asset::State::make(std::make_shared<const scene::AssetData>(),
                                                            file.assets.at(file.asset_of_instance.at(i)));
   return api::scene_file_text(dermis::Scene::State::make(std::move(state)), path);
 }

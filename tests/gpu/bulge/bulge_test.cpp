@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A convex body does not shadow what faces the light, however coarse its triangles and fine its shadow maps:
-// shaders/bulge.glsl. What it has of a light, less what it has of the same from behind, is then n.d
+// render/shaders/bulge.glsl. What it has of a light, less what it has of the same from behind, is then n.d
 // everywhere, with d the light's direction: linear in d, so three directions of a plane check each other.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/scenes.h"
 
 namespace dermis::tests {
@@ -27,8 +27,8 @@ namespace {
 constexpr float radius_m = 0.1f;
 
 // Its edges are 30 degrees long: their middles lie 3.4 mm below the sphere, 70 texels of the shadow map.
-scene::Scene coarse_sphere() {
-  scene::Scene made = scene::sphere(double{radius_m}, 3);
+scene::AssetData coarse_sphere() {
+  scene::AssetData made = scene::sphere(double{radius_m}, 3);
   made.cameras = {camera_from_above(double{radius_m}, {0, 0, 0.5f})};
   return made;
 }
@@ -47,9 +47,9 @@ struct Checked {
 };
 
 // What is lit shows irradiance over pi.
-Checked check(const scene::Scene& body, const RenderSettings& settings, double scale = 1) {
+Checked check(const scene::AssetData& body, const RenderSettings& settings, double scale = 1) {
   const auto picture_of = [&](const glm::vec3& to_light) {
-    scene::Scene made = body;
+    scene::AssetData made = body;
     made.lights = {directional_light(-to_light, glm::vec3(static_cast<float>(std::numbers::pi)))};
     Scene scene = wrap(std::move(made));
     scene.set_transform(scene.instances().front(),
@@ -122,7 +122,7 @@ TEST(Bulge, GrowsWithTheBody) {
 
 // Beside the skin, where no light meets both, stands the same in another material.
 TEST(Bulge, OfWhatIsNotSkin) {
-  scene::Scene made = coarse_sphere();
+  scene::AssetData made = coarse_sphere();
   scene::Primitive other = made.primitives.front();
   for (scene::Vertex& v : other.vertices) v.position_m += glm::vec3(4 * radius_m, -4 * radius_m, 0);
   other.material = 1;

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "cli/tiny_gltf.h"
-#include "dataset/manifest.h"
-#include "dataset/tar.h"
+#include "tools/dataset/manifest.h"
+#include "tools/dataset/tar.h"
 
 namespace dermis::dataset {
 namespace {

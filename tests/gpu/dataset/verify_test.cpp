@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // verify() finds each kind of damage, and nothing where there is none.
-#include "dataset/manifest.h"
-#include "dataset/tar.h"
 #include "gpu/dataset/small_set.h"
 #include "support/thrown.h"
+#include "tools/dataset/manifest.h"
+#include "tools/dataset/tar.h"
 
 namespace dermis::dataset {
 namespace {

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <thread>
 
-#include "dataset/shard_file.h"
-#include "dataset/tar.h"
 #include "gpu/dataset/small_set.h"
 #include "image/codec.h"
 #include "support/full_disk.h"
 #include "support/thrown.h"
+#include "tools/dataset/shard_file.h"
+#include "tools/dataset/tar.h"
 
 namespace dermis::dataset {
 namespace {

@@ -10,7 +10,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::tests {
 namespace {
@@ -113,8 +113,8 @@ const KindOfLight kinds_of_light[] = {
 
 /// A ball, and a small one before it that shades it.
 Scene balls_under(const KindOfLight& kind) {
-  scene::Scene made = scene::sphere(0.1, 64);
-  const scene::Scene small = scene::sphere(0.015, 24);
+  scene::AssetData made = scene::sphere(0.1, 64);
+  const scene::AssetData small = scene::sphere(0.015, 24);
   made.primitives.push_back(small.primitives.front());
   made.primitives.back().node = 1;  // with a light map of its own
   for (scene::Vertex& v : made.primitives.back().vertices) v.position_m += glm::vec3(0.03f, 0.03f, 0.12f);

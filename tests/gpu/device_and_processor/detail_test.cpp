@@ -11,8 +11,8 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
-#include "scene/tangents.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/tangents.h"
 
 namespace dermis::tests {
 namespace {
@@ -38,7 +38,7 @@ enum class As { nothing, normal_map, detail };
 
 // A plane under a slanting light, seen from above, with `tiles` of the waves along each axis.
 Scene plane(As as, float tiles) {
-  scene::Scene made = scene::plane(size_m, glm::dmat2(1), {}, 4);
+  scene::AssetData made = scene::plane(size_m, glm::dmat2(1), {}, 4);
   made.images.push_back({.name = "waves", .pixels = std::make_shared<const image::Image8>(waves())});
   scene::MapRef map;
   map.image = 0;

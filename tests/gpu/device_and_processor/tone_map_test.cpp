@@ -5,15 +5,15 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/settings/names.h"
 #include "gpu/cmd.h"
 #include "gpu/device.h"
 #include "gpu/pipelines.h"
 #include "image/colour.h"
 #include "image/tone_map.h"
-#include "passes/bindings.h"
-#include "passes/shaders.h"
-#include "passes/tone_map/tone_map_io.h"
-#include "settings/names.h"
+#include "render/passes/bindings.h"
+#include "render/passes/finish/tone_map/tone_map_io.h"
+#include "render/passes/shaders.h"
 
 namespace dermis {
 namespace {

@@ -7,11 +7,11 @@
 #include <memory>
 #include <numbers>
 
-#include "gaussians/known.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/unwrap.h"
 #include "lab.h"
-#include "scene/primitives.h"
-#include "scene/unwrap.h"
 #include "support/rigs.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis {
 namespace {

@@ -8,19 +8,19 @@
 #include "dermis/error.h"
 #include "frame/executor.h"
 #include "gpu/device.h"
+#include "head/scene/surface/unwrap.h"
 #include "image/colour.h"
-#include "passes/bindings.h"
-#include "passes/blur/blur.h"
-#include "passes/clear_buffers.h"
-#include "passes/frame_data.h"
-#include "passes/gutters/gutters.h"
-#include "passes/light_pool.h"
-#include "passes/move_rig/move_rig.h"
-#include "passes/shaders.h"
-#include "passes/stretch/stretch.h"
-#include "passes/tiles/tiles.h"
-#include "scene/unwrap.h"
-#include "shared/tiles_io.h"
+#include "render/passes/bindings.h"
+#include "render/passes/clear_buffers.h"
+#include "render/passes/frame_data.h"
+#include "render/passes/light_map/gutters/gutters.h"
+#include "render/passes/light_map/light_pool.h"
+#include "render/passes/light_map/stretch/stretch.h"
+#include "render/passes/light_map/tiles/tiles.h"
+#include "render/passes/pose/move_rig/move_rig.h"
+#include "render/passes/scatter/blur/blur.h"
+#include "render/passes/shaders.h"
+#include "render/shared/tiles_io.h"
 
 namespace dermis::test_diffusion {
 std::span<const std::uint32_t> find_shader(std::string_view name);
@@ -125,7 +125,7 @@ Map read(const frame::GraphExecutor& executor, frame::TextureId id) {
 
 // What moves the one skin mesh of a scene, and its moved vertices.
 struct Moved {
-  Moved(gpu::Device& device, passes::GpuScene& scene, const scene::PosedRig& pose) {
+  Moved(gpu::Device& device, passes::GpuAsset& scene, const scene::PosedRig& pose) {
     const auto copied = [&](std::vector<gpu::Buffer>& to, const gpu::Buffer& from) {
       to.push_back(
           {device, "posed", gpu::BufferDesc{.bytes = from.desc().bytes, .usage = from.desc().usage}});
@@ -159,7 +159,7 @@ ScatterProfile profile_of(const Experiment& e) {
   return profile;
 }
 
-passes::Instance instance_of(const passes::GpuScene& scene, const passes::GpuLook& look, std::uint32_t side) {
+passes::Instance instance_of(const passes::GpuAsset& scene, const passes::GpuLook& look, std::uint32_t side) {
   passes::Instance instance;
   instance.scene = &scene;
   instance.look = &look;
@@ -179,10 +179,10 @@ Result run(const Experiment& e) {
     for (glm::vec3& g : skin[0].metric) g.y = 0;
 
   const ScatterProfile profile = profile_of(e);
-  passes::GpuScene gpu_scene(bench()->library, e.scene, skin);
-  const passes::GpuLook look = gpu_scene.make_look(bench()->device, {});
+  passes::GpuAsset gpu_asset(bench()->library, e.scene, skin);
+  const passes::GpuLook look = gpu_asset.make_look(bench()->device, {});
   if (e.gutters)
-    gpu_scene.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size),
+    gpu_asset.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size),
                            passes::gutter_width(profile, density));
 
   passes::FramePlan plan;
@@ -223,11 +223,11 @@ Result run(const Experiment& e) {
   }
 
   passes::FrameData data;
-  data.instances = {instance_of(gpu_scene, look, side)};
+  data.instances = {instance_of(gpu_asset, look, side)};
   std::optional<Moved> moved;
   if (e.pose) {
-    gpu_scene.make_rig(bench()->device, e.scene, skin);
-    moved.emplace(bench()->device, gpu_scene, *e.pose);
+    gpu_asset.make_rig(bench()->device, e.scene, skin);
+    moved.emplace(bench()->device, gpu_asset, *e.pose);
     data.instances[0].posed = &moved->shape;
     if (!e.keep_metric) data.moves = {moved->move};
   }

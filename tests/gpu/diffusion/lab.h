@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "head/scene/asset_data.h"
+#include "head/scene/rig/rig.h"
 #include "paint_io.h"
-#include "scene/rig.h"
-#include "scene/scene.h"
 
 namespace dermis::lab {
 
@@ -26,7 +26,7 @@ struct Map {
 };
 
 struct Experiment {
-  scene::Scene scene;
+  scene::AssetData scene;
   int map_size = 256;
   std::vector<double> variances_mm2;  ///< narrow to wide
   io::PaintIo paint{};

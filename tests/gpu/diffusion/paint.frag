@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Light that a test knows in closed form, in place of the irradiance pass.
 #version 460
-#include "shared/types.h"
-#include "shaders/half.glsl"
+#include "render/shared/types.h"
+#include "render/shaders/half.glsl"
 #include "paint_io.h"
 layout(push_constant, scalar) uniform Push { PaintIo io; };
 layout(location = 0) in vec3 in_position_m;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #version 460
-#include "shared/scene_io.h"
-#include "shaders/vertex_pull.glsl"
-#include "shaders/skin_vertex.glsl"
+#include "render/shared/scene_io.h"
+#include "render/shaders/vertex_pull.glsl"
+#include "render/shaders/skin_vertex.glsl"
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) flat out uint out_chart;
 void main() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_TESTS_PAINT_IO_H
 #define DERMIS_TESTS_PAINT_IO_H
-#include "shared/types.h"
+#include "render/shared/types.h"
 DERMIS_IO_BEGIN
 struct PaintIo {
   uint band;         // 0: an edge; else 1 + P_band(axis . direction) / 2

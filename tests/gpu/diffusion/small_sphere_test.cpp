@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "head/scene/import/primitives.h"
 #include "lab.h"
-#include "scene/primitives.h"
 
 namespace dermis {
 namespace {

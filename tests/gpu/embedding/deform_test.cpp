@@ -6,7 +6,7 @@
 #include "dermis/asset_arrays.h"
 #include "frame.h"
 #include "gpu/support/pictures.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::tests {
 namespace {
@@ -16,7 +16,7 @@ using EmbeddedShape = WithHost;
 // A ball as a host has it: arrays, and what it makes of them.
 struct HostBall {
   explicit HostBall(bool with_normals = true) {
-    const scene::Scene made = scene::sphere(0.07);
+    const scene::AssetData made = scene::sphere(0.07);
     const scene::Primitive& primitive = made.primitives.front();
     for (const scene::Vertex& v : primitive.vertices) {
       positions_m.push_back({v.position_m.x, v.position_m.y, v.position_m.z});

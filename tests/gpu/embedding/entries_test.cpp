@@ -5,8 +5,8 @@
 #include "frame.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/settings.h"
+#include "render/techniques/technique.h"
 #include "support/thrown.h"
-#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {

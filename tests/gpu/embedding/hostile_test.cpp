@@ -7,7 +7,7 @@
 #include "frame.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/scenes.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/thrown.h"
 
 namespace dermis::tests {
@@ -100,7 +100,7 @@ TEST_F(EmbeddedHostility, OptionsOutOfRange) {
 
 // A ball whose halves share their texture coordinates: a picture of it is drawn, its light cannot be read.
 TEST_F(EmbeddedHostility, LightOfChartsThatLieApartIsNotToBeRead) {
-  scene::Scene folded = scene::sphere(0.1, 12);
+  scene::AssetData folded = scene::sphere(0.1, 12);
   for (scene::Vertex& vertex : folded.primitives.front().vertices)
     vertex.uv0.x = std::abs(2 * vertex.uv0.x - 1);
   const Scene scene = wrap(folded);

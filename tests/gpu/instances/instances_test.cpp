@@ -20,8 +20,8 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/framing.h"
-#include "scene/primitives.h"
+#include "head/scene/framing.h"
+#include "head/scene/import/primitives.h"
 #include "support/assets.h"
 #include "support/thrown.h"
 
@@ -167,7 +167,7 @@ constexpr double elsewhere_in_the_maps = 4 * half_rounding;
 // Each of several instances, of two assets with profiles, mixes, tints and scales of their own, is drawn as
 // if it were alone.
 TEST(Instances, DoNotSeeEachOther) {
-  const Asset ball = Asset::State::make(std::make_shared<const scene::Scene>(scene::sphere(0.06)));
+  const Asset ball = Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.06)));
   Scene scene;
   for (int i = 0; i < 6; ++i)
     scene.add({.asset = i % 3 == 2 ? ball : head(),
@@ -322,7 +322,7 @@ TEST(Instances, AnEnvironmentOfPixelsIsThatOfTheFile) {
   auto rgb = std::make_shared<std::vector<float>>(8 * 4 * 3, 0.2f);
   for (int i = 0; i < 3; ++i) (*rgb)[static_cast<std::size_t>(3 * (8 + 5) + i)] = 2.0f;
   pixels.rgb = rgb;
-  Scene scene(Asset::State::make(std::make_shared<const scene::Scene>(scene::sphere(0.06))));
+  Scene scene(Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.06))));
   RenderSettings s = settings_for(48);
   s.lighting.rig_lights = 0;
   const Picture uniform = renderer().render(scene, s);
@@ -333,7 +333,7 @@ TEST(Instances, AnEnvironmentOfPixelsIsThatOfTheFile) {
 }
 
 TEST(Instances, AnEnvironmentByNameIsThatOfTheSettings) {
-  Scene scene(Asset::State::make(std::make_shared<const scene::Scene>(scene::sphere(0.06))));
+  Scene scene(Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.06))));
   RenderSettings s = settings_for(48);
   s.lighting.rig_lights = 0;
   const Picture uniform = renderer().render(scene, s);

@@ -9,7 +9,7 @@
 #include "dermis/error.h"
 #include "dermis/renderer.h"
 #include "gpu/support/renderer.h"
-#include "techniques/technique.h"
+#include "render/techniques/technique.h"
 
 namespace dermis {
 namespace techniques {

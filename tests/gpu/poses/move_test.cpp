@@ -8,9 +8,9 @@
 #include "api/posed_instances.h"
 #include "api/rig_pose.h"
 #include "gpu/device.h"
-#include "passes/move_rig/move_rig.h"
-#include "passes/shaders.h"
-#include "scene/load.h"
+#include "head/scene/import/load.h"
+#include "render/passes/pose/move_rig/move_rig.h"
+#include "render/passes/shaders.h"
 #include "support/assets.h"
 #include "support/log_lines.h"
 
@@ -38,7 +38,7 @@ class MovedOnDevice : public testing::Test {
     const std::filesystem::path file = asset_cache() / name;
     if (const std::string missing = missing_asset({file}); !missing.empty()) GTEST_SKIP() << missing;
     const LogLines quiet;
-    scene_ = std::make_shared<const scene::Scene>(scene::load_gltf(file));
+    scene_ = std::make_shared<const scene::AssetData>(scene::load_gltf(file));
     asset_ = std::make_shared<api::SharedAsset>(api::SharedAsset{.subject = setup::examine(scene_)});
     asset_->gpu.emplace(*library_, *scene_, asset_->subject.skin);
     on_device_ = api::SceneOnDevice({asset_, asset_});
@@ -78,14 +78,14 @@ class MovedOnDevice : public testing::Test {
   }
 
   // The asset as the processor poses it.
-  scene::Scene moved(std::size_t instance) const {
-    scene::Scene made = *scene_;
+  scene::AssetData moved(std::size_t instance) const {
+    scene::AssetData made = *scene_;
     scene::take_pose(*scene_->rig, placed_.instances[instance].posed->rig, made);
     return made;
   }
 
   void expect_as_on_processor(std::size_t instance, double size_m) {
-    const scene::Scene expected = moved(instance);
+    const scene::AssetData expected = moved(instance);
     double farthest = 0, normals = 0, tangents = 0;
     const auto compare = [&](const io::VertexIo& found, const scene::Vertex& wanted) {
       farthest = std::max(farthest, double{glm::distance(found.position_m, wanted.position_m)});
@@ -138,7 +138,7 @@ class MovedOnDevice : public testing::Test {
 
   std::unique_ptr<gpu::Device> device_;
   std::unique_ptr<gpu::PipelineLibrary> library_;
-  std::shared_ptr<const scene::Scene> scene_;
+  std::shared_ptr<const scene::AssetData> scene_;
   api::AssetPointer asset_;
   api::SceneOnDevice on_device_;
   setup::PlacedScene placed_;

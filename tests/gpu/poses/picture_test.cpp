@@ -7,16 +7,16 @@
 #include <cmath>
 
 #include "api/asset_state.h"
+#include "base/settings/names.h"
 #include "dermis/reference.h"
 #include "dermis/session.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/rig/rig.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
-#include "scene/primitives.h"
-#include "scene/rig.h"
-#include "settings/names.h"
 #include "support/assets.h"
 #include "support/log_lines.h"
 #include "support/thrown.h"
@@ -230,8 +230,8 @@ TEST_F(PosedPictures, DoNotDependOnPosesBefore) {
 }
 
 // A plane that a morph target stretches 2 : 1 and shears by 45 degrees, under a lamp with a hard edge.
-scene::Scene stretching_plane() {
-  scene::Scene made = scene::plane(0.05, glm::dmat2(1), {}, 16);
+scene::AssetData stretching_plane() {
+  scene::AssetData made = scene::plane(0.05, glm::dmat2(1), {}, 16);
   scene::Primitive& primitive = made.primitives.front();
   auto rig = std::make_shared<scene::Rig>();
   rig->nodes = {{.name = "plane", .parent = -1, .matrix = {}, .weights = {"stretch"}}};
@@ -259,7 +259,7 @@ scene::Scene stretching_plane() {
 }
 
 TEST(PosedSkin, KeepsTheWidthOfItsGaussiansInMillimetres) {
-  const auto data = std::make_shared<const scene::Scene>(stretching_plane());
+  const auto data = std::make_shared<const scene::AssetData>(stretching_plane());
   RenderSettings s = unoptimised(small_settings("texture-space", 128, 512));
   s.camera.eye_m = {0, 0, 0.3};
   s.camera.target_m = {0, 0, 0};
@@ -285,7 +285,7 @@ TEST(PosedSkin, KeepsTheWidthOfItsGaussiansInMillimetres) {
     scene.set_pose(plane, RigPose{.weights = {{"stretch", weight}}});
     const Picture found = renderer().render(scene, s);
 
-    auto still = std::make_shared<scene::Scene>(*data);
+    auto still = std::make_shared<scene::AssetData>(*data);
     scene::Pose pose = data->rig->rest;
     pose[0].weights = {weight};
     scene::take_pose(*data->rig, scene::posed(*data->rig, pose, ""), *still);

@@ -13,9 +13,9 @@
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
+#include "head/scene/rig/rig.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
-#include "scene/rig.h"
 #include "support/assets.h"
 #include "support/log_lines.h"
 
@@ -41,8 +41,8 @@ Scene alone(const Asset& asset, const std::optional<RigPose>& pose = {}) {
 
 // The asset with its vertices moved by the processor; all that is found of a shape is found of this one.
 Asset moved(const Asset& asset, const RigPose& pose) {
-  const scene::Scene& data = *Asset::State::of(asset);
-  auto still = std::make_shared<scene::Scene>(data);
+  const scene::AssetData& data = *Asset::State::of(asset);
+  auto still = std::make_shared<scene::AssetData>(data);
   scene::take_pose(*data.rig, api::posed_asset(data, pose)->rig, *still);
   return Asset::State::make(still);
 }

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "base/core/hash.h"
 #include "cli/command.h"
-#include "core/hash.h"
 #include "gpu/support/renderer.h"
 
 namespace dermis::tests {

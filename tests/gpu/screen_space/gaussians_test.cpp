@@ -6,12 +6,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "gaussians/known.h"
-#include "gaussians/screen_kernels.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
-#include "passes/kernels.h"
 #include "plane.h"
+#include "render/passes/scatter/kernels.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/screen_kernels.h"
 
 namespace dermis::tests {
 namespace {

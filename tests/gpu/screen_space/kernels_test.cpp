@@ -8,11 +8,11 @@
 #include <cstdio>
 #include <tuple>
 
-#include "gaussians/known.h"
-#include "gaussians/screen_kernels.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
 #include "plane.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/screen_kernels.h"
 
 namespace dermis::tests {
 namespace {

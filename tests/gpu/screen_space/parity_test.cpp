@@ -12,7 +12,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
 #include "image/metrics.h"
-#include "techniques/technique.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::tests {
 namespace {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "api/asset_state.h"
-#include "gaussians/known.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::tests {
 namespace {
@@ -31,8 +31,8 @@ glm::dvec3 direction_of(double tilt_deg, double azimuth_deg) {
 }
 
 // White skin at x < 0, or black skin at x > 0.
-scene::Scene half(bool white) {
-  scene::Scene made = scene::plane(0.3, glm::dmat2(1), {}, 2);
+scene::AssetData half(bool white) {
+  scene::AssetData made = scene::plane(0.3, glm::dmat2(1), {}, 2);
   made.materials.front().base_colour = glm::vec4(glm::vec3(white ? 1 : 0), 1);
   scene::Primitive& part = made.primitives.front();
   std::vector<std::uint32_t> kept;
@@ -48,8 +48,8 @@ scene::Scene half(bool white) {
 }
 
 Scene half_white_plane() {
-  scene::Scene made = half(true);
-  const scene::Scene other = half(false);
+  scene::AssetData made = half(true);
+  const scene::AssetData other = half(false);
   made.materials.push_back(other.materials.front());
   made.primitives.push_back(other.primitives.front());
   made.primitives.back().material = 1;
@@ -63,7 +63,9 @@ const Scene& lit_edge() {
   return plane;
 }
 
-Asset half_plane(bool white) { return Asset::State::make(std::make_shared<const scene::Scene>(half(white))); }
+Asset half_plane(bool white) {
+  return Asset::State::make(std::make_shared<const scene::AssetData>(half(white)));
+}
 
 RenderSettings facing_plane(const std::string& technique, double pixels_per_mm, double tilt_deg,
                             double azimuth_deg) {

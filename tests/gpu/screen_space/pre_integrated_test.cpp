@@ -8,13 +8,13 @@
 #include <glm/gtc/constants.hpp>
 #include <utility>
 
-#include "gaussians/known.h"
-#include "gaussians/pre_integrated.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "plane.h"
-#include "scene/primitives.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/pre_integrated.h"
 
 namespace dermis::tests {
 namespace {
@@ -53,7 +53,7 @@ std::array<double, 3> largest_difference_of(const Picture& picture, int row, int
 TEST(PreIntegrated, IsItsTableOnASphere) {
   for (const double radius_mm : {5.0, 10.0, 20.0, 50.0})
     for (const ScreenKernel kernel : {ScreenKernel::profile, ScreenKernel::published}) {
-      scene::Scene made = scene::sphere(radius_mm / 1000, 48);
+      scene::AssetData made = scene::sphere(radius_mm / 1000, 48);
       made.lights = {facing_light({-1, 0, 0})};
       made.cameras = {camera_from_above(radius_mm / 1000, {0, 0, 0.5f})};
       RenderSettings s = tabled(101, 101);
@@ -80,7 +80,7 @@ TEST(PreIntegrated, IsTheEdgeOfTheProfileBesideAShadow) {
   };
   for (const auto& [taps, shadow_size, most] :
        {Case{16, 2048, 0.14}, {32, 2048, 0.07}, {128, 2048, 0.04}, {1024, 8192, 0.02}}) {
-    scene::Scene made =
+    scene::AssetData made =
         two_planes(0.12, 2, [](scene::Vertex& v) { v.position_m += glm::vec3(-0.06f, 0, 0.02f); });
     made.lights = {facing_light({1, 0, -1})};
     made.cameras = {camera_from_above(0.002f, {0.02f, 0, 0.3f})};
@@ -107,7 +107,7 @@ TEST(PreIntegrated, AHollowHasNoShadow) {
     v.position_m = {0.03f + along_m * std::cos(angle), v.position_m.y, along_m * std::sin(angle)};
     v.normal = {-std::sin(angle), 0, std::cos(angle)};
   };
-  scene::Scene made = two_planes(0.06, 2, rises);
+  scene::AssetData made = two_planes(0.06, 2, rises);
   made.lights = {facing_light({0, 0, -1})};
   made.cameras = {camera_from_above(0.002f, {0.03f, 0, 0.3f})};
   const Scene hollow = wrap(std::move(made));

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "gaussians/known.h"
-#include "gaussians/screen_kernels.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "plane.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/screen_kernels.h"
 
 namespace dermis::tests {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "api/prepare/reference_setup.h"
 #include "rays/surface_point.h"
-#include "reference/camera_ray.h"
+#include "truth/reference/camera_ray.h"
 
 namespace dermis::tests {
 namespace {

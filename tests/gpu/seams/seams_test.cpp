@@ -14,7 +14,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 #include "support/assets.h"
 
 namespace dermis::tests {
@@ -44,7 +44,7 @@ RenderSettings key_light(const View& view) {
 
 // Fine normals of a file may step at its seams, and so does the light then: here only light counts.
 Scene without_maps(const Scene& scene) {
-  scene::Scene plain = api::only_asset(scene);
+  scene::AssetData plain = api::only_asset(scene);
   for (scene::Material& material : plain.materials) {
     material.normal_map = {};
     material.skin_settings.displacement = {};
@@ -146,7 +146,7 @@ TEST(Seams, OfAChartThatIsReadATexelOrTwoOffShow) {
 // A mesh that is cut open at its seams: a hundredth of a millimetre, too little to be seen, and light no
 // longer flows across. The measure must see that.
 TEST(Seams, ThatAreCutOpenShow) {
-  scene::Scene cut = api::only_asset(built_in_head());
+  scene::AssetData cut = api::only_asset(built_in_head());
   for (scene::Primitive& primitive : cut.primitives)
     for (scene::Vertex& v : primitive.vertices) v.position_m.y += 2e-5f * (v.uv0.x + 0.7f * v.uv0.y);
 

@@ -11,7 +11,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::tests {
 namespace {
@@ -19,8 +19,8 @@ namespace {
 constexpr double depth_mm = 8;
 
 /// A square of 200 mm, and 8 mm behind it one of a metre that looks away.
-scene::Scene slab() {
-  scene::Scene made = scene::plane(0.2);
+scene::AssetData slab() {
+  scene::AssetData made = scene::plane(0.2);
   scene::Primitive back = scene::plane(1).primitives[0];
   for (scene::Vertex& v : back.vertices) {
     v.position_m.z -= static_cast<float>(depth_mm / 1000);

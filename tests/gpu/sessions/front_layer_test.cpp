@@ -9,7 +9,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/scenes.h"
 
 namespace dermis::tests {
@@ -22,7 +22,7 @@ struct Sheet {
 
 // A square of skin of 200 mm, and blended sheets over its right half.
 Scene covered(const std::vector<Sheet>& sheets) {
-  scene::Scene made = scene::plane(0.2);
+  scene::AssetData made = scene::plane(0.2);
   for (const Sheet& sheet : sheets) {
     add_sheet(made, 0.1f, sheet.z_m);
     made.materials.back().alpha_mode = AssetAlpha::blend;

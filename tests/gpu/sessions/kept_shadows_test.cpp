@@ -16,7 +16,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/rigs.h"
 #include "support/scenes.h"
 
@@ -25,11 +25,11 @@ namespace {
 
 // A square of skin with a morph target, in the shadow of a sheet that hangs on a node before it.
 Asset shaded_skin(float sheet_m) {
-  scene::Scene made = scene::plane(0.16, glm::dmat2(1), glm::dvec2(0), 8);
+  scene::AssetData made = scene::plane(0.16, glm::dmat2(1), glm::dvec2(0), 8);
   add_sheet(made, 0.04f, sheet_m);
   made.primitives.back().placements = {{.world_from_mesh = glm::dmat4x3(1)}};
   made.rig = morphing(made, [](const glm::vec3& p) { return glm::vec3(p.x, p.y, 0.5f * p.x); });
-  return Asset::State::make(std::make_shared<const scene::Scene>(std::move(made)));
+  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(made)));
 }
 
 SceneLight sun(double x, double z, double red = 1) {

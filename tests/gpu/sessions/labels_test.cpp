@@ -19,8 +19,8 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "rays/alpha_test.h"
-#include "scene/primitives.h"
 #include "support/thrown.h"
 
 namespace dermis::tests {
@@ -118,8 +118,8 @@ std::size_t count(std::span<const std::uint32_t> labels, std::uint32_t label) {
   return static_cast<std::size_t>(std::count(labels.begin(), labels.end(), label));
 }
 
-Asset asset_of(scene::Scene data) {
-  return Asset::State::make(std::make_shared<const scene::Scene>(std::move(data)));
+Asset asset_of(scene::AssetData data) {
+  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(data)));
 }
 
 /// Made once.
@@ -211,7 +211,7 @@ std::optional<rays::SurfacePoint> first_seen(const rays::RayScene& rays, rays::R
 // Positions that round differ most where the surface is seen edge-on, and middles of pixels that lie within a
 // rounding of an edge may show the other side of it.
 TEST(Labels, OfAHeadByRays) {
-  scene::Scene data = *Asset::State::of(head());
+  scene::AssetData data = *Asset::State::of(head());
   add_sheet(data, 0.03f, 0.0f);
   for (scene::Vertex& v : data.primitives.back().vertices) v.uv0 = glm::vec2(v.position_m);
   data.primitives.back().placements = {
@@ -243,7 +243,7 @@ TEST(Labels, OfAHeadByRays) {
 
 // A hidden ball in front of all, a square, and a ball before its middle.
 TEST(Labels, NumbersAreThoseOfTheScene) {
-  scene::Scene square = scene::plane(0.2);
+  scene::AssetData square = scene::plane(0.2);
   add_sheet(square, 0.2f, 0.001f);  // over its right half
   Scene scene;
   const InstanceId hidden =
@@ -292,7 +292,7 @@ TEST(Labels, OfARowAreItsHeads) {
 }
 
 TEST(Labels, OfABackOnlyWhereItIsSeen) {
-  scene::Scene square = scene::plane(0.2);
+  scene::AssetData square = scene::plane(0.2);
   const Eye behind = perspective({0.1, 0, -0.7});
   EXPECT_EQ(count(labels_of(wrap(square), seen_by(behind)).instance, 1), 0u) << "culled";
 
@@ -305,7 +305,7 @@ TEST(Labels, OfABackOnlyWhereItIsSeen) {
 }
 
 /// A map whose alpha rises from left to right, in steps that a filter smooths.
-int add_alpha_ramp(scene::Scene& scene) {
+int add_alpha_ramp(scene::AssetData& scene) {
   image::Image8 ramp{.width = 64, .height = 64, .rgba = std::vector<std::uint8_t>(64 * 64 * 4, 200)};
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) ramp.at(x, y)[3] = static_cast<std::uint8_t>((x * 37 + y * 11) % 256);
@@ -317,7 +317,7 @@ int add_alpha_ramp(scene::Scene& scene) {
 TEST(Labels, AreCutOutAsThePictureIs) {
   for (const bool skin : {true, false}) {
     SCOPED_TRACE(skin ? "skin" : "surface");
-    scene::Scene made = scene::plane(0.2);
+    scene::AssetData made = scene::plane(0.2);
     add_sheet(made, 0.1f, 0.01f);
     for (scene::Vertex& v : made.primitives[1].vertices) v.uv0 = glm::vec2(v.position_m) * 16.0f;
     scene::Material& cut = made.materials[skin ? 0 : 1];
@@ -343,7 +343,7 @@ TEST(Labels, AreCutOutAsThePictureIs) {
 }
 
 TEST(Labels, AreOfWhatLiesBehindBlendedParts) {
-  scene::Scene made = scene::plane(0.2);
+  scene::AssetData made = scene::plane(0.2);
   const RenderSettings s = seen_by(perspective({0, 0, 0.7}));
   const Results bare = labels_of(wrap(made), s);
   const Picture before = renderer().render(wrap(made), s);

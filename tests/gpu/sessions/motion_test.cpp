@@ -16,7 +16,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/assets.h"
 #include "support/log_lines.h"
 #include "support/rigs.h"
@@ -73,12 +73,12 @@ glm::dvec3 morphed(const glm::dvec3& p) { return {1.3 * p.x + 0.4 * p.y, 0.9 * p
 
 /// A square of skin with a morph target, and before it a sheet that hangs on a node.
 Asset square_and_sheet() {
-  scene::Scene made = scene::plane(square_m, glm::dmat2(1), glm::dvec2(0), 8);
+  scene::AssetData made = scene::plane(square_m, glm::dmat2(1), glm::dvec2(0), 8);
   add_sheet(made, 0.04f, 0.03f);
   made.primitives.back().placements = {{.world_from_mesh = glm::dmat4x3(1)},
                                        {.world_from_mesh = glm::dmat4x3(1)}};
   made.rig = morphing(made, [](const glm::vec3& p) { return glm::vec3(morphed(p)); });
-  return Asset::State::make(std::make_shared<const scene::Scene>(std::move(made)));
+  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(made)));
 }
 
 class Film {
@@ -204,7 +204,7 @@ TEST(Motion, OfWhatWasNotThereIsNone) {
   Film film;
   film.next({});
   const InstanceId ball = film.scene().add(
-      {.asset = Asset::State::make(std::make_shared<const scene::Scene>(scene::sphere(0.02))),
+      {.asset = Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.02))),
        .world_from_asset = moved({0, 0, 0.2})});
   const Moment now{.eye_m = {0.1, 0, 0.7}};
   const Results l = film.next(now);

@@ -6,16 +6,16 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
 
-#include "builtin_head/builtin_head.h"
 #include "gpu/support/failure.h"
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/builtin_head/builtin_head.h"
+#include "head/scene/import/primitives.h"
 #include "image/metrics.h"
-#include "scene/primitives.h"
-#include "shared/entries_io.h"
+#include "render/shared/entries_io.h"
 
 namespace dermis::tests {
 namespace {
@@ -119,7 +119,7 @@ TEST_P(Shading, TwoRunsAreEqualToTheBit) {
 
 // Without perspective: the depth is linear, and rays are parallel.
 TEST_P(Shading, WithoutPerspective) {
-  scene::Scene made = scene::sphere(0.1, 48);
+  scene::AssetData made = scene::sphere(0.1, 48);
   made.cameras.push_back(camera_from_above(0.11, {0, 0, 0.5f}));
   made.lights.push_back(directional_light({-0.5f, -0.3f, -0.6f}, glm::vec3(3)));
   RenderSettings s = settings_at(1, GetParam());
@@ -129,8 +129,8 @@ TEST_P(Shading, WithoutPerspective) {
 }
 
 // A checkered sphere: its far side is seen through the near one, both sides of it are skin.
-scene::Scene checkered_sphere() {
-  scene::Scene made = scene::sphere(0.1, 48);
+scene::AssetData checkered_sphere() {
+  scene::AssetData made = scene::sphere(0.1, 48);
   image::Image8 pixels{.width = 64, .height = 64, .rgba = {}};
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
@@ -152,9 +152,9 @@ TEST_P(Shading, OfSkinWithAnAlphaTest) {
 
 // Two balls of one head, of other materials and profiles, one before the other; and over them what is no
 // skin, opaque and blended.
-scene::Scene two_skins(bool covered) {
-  scene::Scene made = scene::sphere(0.1, 32), front = scene::sphere(0.05, 32);
-  const auto add = [&](scene::Scene& other, const glm::vec3& at, const scene::Material& material) {
+scene::AssetData two_skins(bool covered) {
+  scene::AssetData made = scene::sphere(0.1, 32), front = scene::sphere(0.05, 32);
+  const auto add = [&](scene::AssetData& other, const glm::vec3& at, const scene::Material& material) {
     scene::Primitive p = other.primitives.front();
     p.material = static_cast<int>(made.materials.size());
     p.node = p.material;
@@ -241,12 +241,12 @@ TEST(ShadingOfSmallHeads, HoldsTheirLight) {
 
 // Squares of half a pixel in four colours, each at a distance of its own: one under each sample of a pixel.
 // `parts`: of a material each; else of one part, and told apart by distance alone.
-scene::Scene four_surfaces_per_pixel(int pixels, bool parts) {
+scene::AssetData four_surfaces_per_pixel(int pixels, bool parts) {
   const glm::vec3 colours[] = {
       {0.9f, 0.1f, 0.1f}, {0.1f, 0.9f, 0.1f}, {0.1f, 0.1f, 0.9f}, {0.9f, 0.9f, 0.1f}};
   const float pixel_m = 0.1f;
-  const scene::Scene square = scene::plane(pixel_m / 2);
-  scene::Scene made = square;
+  const scene::AssetData square = scene::plane(pixel_m / 2);
+  scene::AssetData made = square;
   made.primitives.clear();
 
   const auto add = [&](int x, int y, int number) {
@@ -293,9 +293,9 @@ TEST(ShadingOfEntries, EachSurfaceOfAPixelIsShaded) {
 }
 
 // Two squares that meet in a hollow fold at an angle to the rows of pixels, under light that shines into it.
-scene::Scene fold() {
+scene::AssetData fold() {
   const float side_m = 0.1f, bend = glm::radians(50.0f);
-  scene::Scene made = two_planes(side_m, 8, [&](scene::Vertex& v) {
+  scene::AssetData made = two_planes(side_m, 8, [&](scene::Vertex& v) {
     const float from_fold_m = v.position_m.x + side_m / 2;
     v.position_m = {side_m / 2 + std::cos(bend) * from_fold_m, v.position_m.y, std::sin(bend) * from_fold_m};
     v.normal = {-std::sin(bend), 0, std::cos(bend)};
@@ -332,12 +332,12 @@ TEST(ShadingOfEntries, AFoldIsNotInItsOwnShadow) {
 
 // A run of more triangles than ids of a part can number is several parts: where one ends, nothing shows.
 TEST(ShadingOfParts, OfAMeshWithMoreTrianglesThanAPart) {
-  scene::Scene fine = scene::sphere(0.1, 200);
+  scene::AssetData fine = scene::sphere(0.1, 200);
   ASSERT_GT(fine.primitives.front().indices.size() / 3, std::size_t{1} << ID_TRIANGLE_BITS);
   for (const std::string technique : {"lambert", "separable"}) {
     RenderSettings s = settings_at(3, technique);
     s.output.width = s.output.height = 128;
-    const Picture found = renderer().render(wrap(scene::Scene(fine)), s),
+    const Picture found = renderer().render(wrap(scene::AssetData(fine)), s),
                   wanted = renderer().render(wrap(scene::sphere(0.1, 120)), s);
     const double db = image::psnr_db(shown(wanted), shown(found), skin_mask(wanted));
     std::printf("%s: %.1f dB\n", technique.c_str(), db);
@@ -347,7 +347,7 @@ TEST(ShadingOfParts, OfAMeshWithMoreTrianglesThanAPart) {
 
 // Balls of several materials.
 TEST(ShadingOfParts, OfMoreThanTwelveBitsCanNumber) {
-  scene::Scene balls = scene::sphere(0.1, 4);
+  scene::AssetData balls = scene::sphere(0.1, 4);
   const scene::Primitive ball = balls.primitives.front();
   for (int k = 1; k < 5; ++k) {
     balls.materials.push_back(balls.materials.front());

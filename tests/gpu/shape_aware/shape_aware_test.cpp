@@ -8,18 +8,18 @@
 
 #include "api/asset_state.h"
 #include "dermis/profile.h"
-#include "gaussians/scatter_profile.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "image/metrics.h"
-#include "passes/transmission.h"
-#include "profile/shape_laws.h"
-#include "scene/primitives.h"
+#include "render/passes/light_map/transmission.h"
 #include "support/files.h"
 #include "support/rigs.h"
 #include "support/thrown.h"
+#include "tissue/gaussians/scatter_profile.h"
+#include "tissue/profile/shape_laws.h"
 
 namespace dermis::tests {
 namespace {
@@ -55,8 +55,8 @@ RenderSettings settings(bool shape_aware, int side = 48, int map_side = 256) {
 }
 
 /// A sphere in a furnace, where the blur shows 1, seen without perspective.
-scene::Scene ball(double radius_mm) {
-  scene::Scene made = scene::sphere(radius_mm / 1000, 24);
+scene::AssetData ball(double radius_mm) {
+  scene::AssetData made = scene::sphere(radius_mm / 1000, 24);
   made.materials.front().skin_settings.mix = 0;
   made.cameras = {camera_from_above(radius_mm / 1000, {0, 0, 0.1f})};
   return made;
@@ -103,7 +103,7 @@ TEST(ShapeAware, ASphereShowsItsLaws) {
 TEST(ShapeAware, FlatSkinKeepsItsTotal) {
   const ScatterProfile profile = gaussians::checked_profile(skin2());
   for (const double angle_deg : {0.0, 60.0}) {
-    scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 8);
+    scene::AssetData made = scene::plane(0.2, glm::dmat2(1), {}, 8);
     made.materials.front().skin_settings.mix = 0;
     made.cameras = {camera_from_aside(0.004, angle_deg)};
     const Scene scene = wrap(std::move(made));
@@ -120,7 +120,7 @@ TEST(ShapeAware, FlatSkinKeepsItsTotal) {
 TEST(ShapeAware, SkinThatEndsStaysLit) {
   const ScatterProfile profile = gaussians::checked_profile(skin2());
   constexpr double angle_deg = 60;
-  scene::Scene made = scene::plane(0.006, glm::dmat2(1), {}, 8);
+  scene::AssetData made = scene::plane(0.006, glm::dmat2(1), {}, 8);
   made.materials.front().skin_settings.mix = 0;
   made.cameras = {camera_from_aside(0.0035, angle_deg)};
   const Scene scene = wrap(std::move(made));
@@ -148,7 +148,7 @@ TEST(ShapeAware, LightComesFromFurtherFromTheEye) {
   const std::array<double, 3>& rgb_mm = profile.shape->exit_offset_mm;
   const double offset_mm = (rgb_mm[0] + rgb_mm[1] + rgb_mm[2]) / 3;
   constexpr double radius_mm = 10;
-  scene::Scene made = ball(radius_mm);
+  scene::AssetData made = ball(radius_mm);
   made.lights = {directional_light({-1, 0, 0}, glm::vec3(static_cast<float>(pi)))};
   const Scene scene = wrap(std::move(made));
   RenderSettings s = settings(false, 96, 1024);
@@ -218,10 +218,10 @@ TEST(ShapeAware, HoldsFarAway) {
 // An instance of another size has its own curvature: twice as large, half as curved.
 TEST(ShapeAware, FollowsTheSizeOfAnInstance) {
   const ScatterProfile profile = gaussians::checked_profile(skin2());
-  scene::Scene made = ball(5);
+  scene::AssetData made = ball(5);
   made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
   Scene scene;
-  scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>(made)),
+  scene.add({.asset = Asset::State::make(std::make_shared<const scene::AssetData>(made)),
              .world_from_asset = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1}});
   const Picture picture = renderer().render(scene, settings(true));
   const std::size_t middle =
@@ -256,7 +256,7 @@ TEST(ShapeAware, PublishedProfilesHaveNone) {
 // A sphere whose morph target makes it larger: curvature is found again, on the device.
 TEST(ShapeAware, FollowsAPose) {
   const ScatterProfile profile = gaussians::checked_profile(skin2());
-  scene::Scene made = ball(5);
+  scene::AssetData made = ball(5);
   made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
 
   // The camera stands at a node of its own.
@@ -269,7 +269,8 @@ TEST(ShapeAware, FollowsAPose) {
   made.rig = rig;
 
   Scene scene;
-  const InstanceId id = scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>(made))});
+  const InstanceId id =
+      scene.add({.asset = Asset::State::make(std::make_shared<const scene::AssetData>(made))});
   scene.set_pose(id, RigPose{.weights = {{.name = "0", .weight = 1}}});
   const Picture picture = renderer().render(scene, settings(true));
 
@@ -288,7 +289,7 @@ TEST(ShapeAware, SlabsLetThroughWhatTheirMediumDoes) {
   const ScatterProfile profile = gaussians::checked_profile(skin2());
   const optics::RgbMedium medium = optics::rgb_medium(*profile.medium);
   for (const double thickness_mm : {2.0, 4.0}) {
-    scene::Scene made = two_planes(0.06, 12, [&](scene::Vertex& v) {
+    scene::AssetData made = two_planes(0.06, 12, [&](scene::Vertex& v) {
       v.position_m = {-v.position_m.x, v.position_m.y, -static_cast<float>(thickness_mm / 1000)};
       v.normal = {-v.normal.x, v.normal.y, -v.normal.z};
       v.tangent = {-v.tangent.x, v.tangent.y, -v.tangent.z, v.tangent.w};

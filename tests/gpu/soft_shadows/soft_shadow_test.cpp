@@ -16,9 +16,9 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
-#include "scene/primitives.h"
 
 namespace dermis::tests {
 namespace {
@@ -45,7 +45,7 @@ constexpr float height_m = 0.02f;
 // A floor of 120 mm, and over its half x < 0 a plate `height_m` above. Light comes from that side, at 45
 // degrees.
 Scene plate_over_floor(double tangent) {
-  scene::Scene made =
+  scene::AssetData made =
       two_planes(0.12, 2, [](scene::Vertex& v) { v.position_m += glm::vec3(-0.06f, 0, height_m); });
   made.lights = {directional({1, 0, -1}, tangent)};
   made.cameras = {camera_from_above(0.004f, {0.03f, 0, 0.3f})};
@@ -84,7 +84,7 @@ TEST(SoftShadow, OfAnEdge) {
 // the sine.
 TEST(SoftShadow, OfASphereIsItsHorizon) {
   for (const double tangent : {0.05, 0.2, 0.5, 3.0}) {
-    scene::Scene made = scene::sphere(0.1, 64);
+    scene::AssetData made = scene::sphere(0.1, 64);
     made.lights = {directional({-1, 0, 0}, tangent)};
     made.cameras = {camera_from_above(0.1f, {0, 0, 0.5f})};
     const Picture picture = renderer().render(wrap(std::move(made)), plain(200, 201));
@@ -114,7 +114,7 @@ TEST(SoftShadow, OfASphereIsItsHorizon) {
 // is.
 TEST(SoftShadow, OfALightInsideTheScene) {
   for (const double radius : {0.002, 0.02, 100.0}) {
-    scene::Scene made = api::only_asset(plate_over_floor(0.1));
+    scene::AssetData made = api::only_asset(plate_over_floor(0.1));
     scene::Light lamp;
     lamp.type = LightType::point;
     lamp.colour = glm::vec3(0.02f);

@@ -5,12 +5,12 @@
 #include <memory>
 #include <utility>
 
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::tests {
 
-Scene wrap(scene::Scene data) {
-  return Scene(Asset::State::make(std::make_shared<const scene::Scene>(std::move(data))));
+Scene wrap(scene::AssetData data) {
+  return Scene(Asset::State::make(std::make_shared<const scene::AssetData>(std::move(data))));
 }
 
 Scene sphere(double radius_m) { return wrap(scene::sphere(radius_m)); }
@@ -18,16 +18,16 @@ Scene sphere(double radius_m) { return wrap(scene::sphere(radius_m)); }
 Scene sheared_plane() { return wrap(scene::plane(0.1, glm::dmat2(0.5, 0, 0.5, 0.5), {}, 8)); }
 
 Scene sphere_lit_from_the_camera(double radius_m) {
-  scene::Scene data = scene::sphere(radius_m);
+  scene::AssetData data = scene::sphere(radius_m);
   data.lights = {directional_light({0, 0, -1}, glm::vec3(3))};
   return wrap(std::move(data));
 }
 
-scene::Scene two_planes(double side_m, int cells, const std::function<void(scene::Vertex&)>& place) {
+scene::AssetData two_planes(double side_m, int cells, const std::function<void(scene::Vertex&)>& place) {
   const auto chart = [&](double from) {
     return scene::plane(side_m, glm::dmat2(0.46), glm::dvec2(from), cells);
   };
-  scene::Scene made = chart(0.02);
+  scene::AssetData made = chart(0.02);
   const scene::Primitive second = chart(0.52).primitives.front();
 
   scene::Primitive& both = made.primitives.front();

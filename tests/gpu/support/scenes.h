@@ -6,13 +6,13 @@
 #include <glm/glm.hpp>
 
 #include "dermis/scene.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 #include "support/scenes.h"
 
 namespace dermis::tests {
 
 /// A scene made in memory.
-Scene wrap(scene::Scene data);
+Scene wrap(scene::AssetData data);
 
 /// Six charts, radius in metres.
 Scene sphere(double radius_m);
@@ -23,6 +23,6 @@ Scene sphere_lit_from_the_camera(double radius_m);
 
 /// A square of skin in the plane z = 0, and a second one of the same size that `place` puts elsewhere: one
 /// mesh of two charts. The vertices of the second stand behind those of the first.
-scene::Scene two_planes(double side_m, int cells, const std::function<void(scene::Vertex&)>& place);
+scene::AssetData two_planes(double side_m, int cells, const std::function<void(scene::Vertex&)>& place);
 
 }  // namespace dermis::tests

@@ -2,8 +2,8 @@
 #include "gpu/support/settings.h"
 
 #include "dermis/renderer.h"
-#include "gaussians/json.h"
 #include "support/files.h"
+#include "tissue/gaussians/json.h"
 
 namespace dermis::tests {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dermis/settings.h"
-#include "gaussians/sum.h"
+#include "tissue/gaussians/sum.h"
 
 namespace dermis::tests {
 

@@ -5,16 +5,16 @@
 #include <numbers>
 #include <set>
 
+#include "base/settings/names.h"
 #include "environment/environment.h"
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "image/codec.h"
 #include "image/colour.h"
-#include "scene/primitives.h"
-#include "settings/names.h"
 #include "support/files.h"
 
 namespace dermis::tests {
@@ -31,8 +31,8 @@ Picture drawn(const Scene& scene, RenderSettings settings) { return renderer().r
 
 // A half transparent ball, of one layer of triangles, around a small one of skin.
 Scene glass() {
-  scene::Scene balls = scene::sphere(0.1, 16);
-  const scene::Scene inner = scene::sphere(0.03, 16);
+  scene::AssetData balls = scene::sphere(0.1, 16);
+  const scene::AssetData inner = scene::sphere(0.03, 16);
   balls.materials.push_back(inner.materials[0]);
   balls.primitives.push_back(inner.primitives[0]);
   balls.primitives[1].material = 1;

@@ -11,8 +11,8 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
-#include "techniques/technique.h"
+#include "head/scene/import/primitives.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -24,7 +24,7 @@ using Alpha = std::function<bool(int x, int y)>;  // of a pixel: is it there?
 
 /// The map of what is there, square; what is not is red, so that any of it that is lit shows. Read as it is,
 /// so that edges lie where pixels end.
-void cut_out(scene::Scene& made, int side, const Alpha& is_there) {
+void cut_out(scene::AssetData& made, int side, const Alpha& is_there) {
   image::Image8 pixels{.width = side, .height = side, .rgba = {}};
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
@@ -40,8 +40,8 @@ void cut_out(scene::Scene& made, int side, const Alpha& is_there) {
 }
 
 /// A plane of which the left half is there, seen from above.
-scene::Scene half_plane(int map_side = 64) {
-  scene::Scene made = scene::plane(size_m, glm::dmat2(1), {}, 4);
+scene::AssetData half_plane(int map_side = 64) {
+  scene::AssetData made = scene::plane(size_m, glm::dmat2(1), {}, 4);
   cut_out(made, map_side, [&](int x, int) { return x < map_side / 2; });
   made.cameras.push_back(camera_from_above(size_m / 2, {0, 0, 0.2f}));
   return made;
@@ -49,7 +49,7 @@ scene::Scene half_plane(int map_side = 64) {
 
 /// A sphere in strips of one pixel, each as wide as the gap beside it: thinner than texels of small maps.
 Scene striped_sphere() {
-  scene::Scene made = scene::sphere(0.1);
+  scene::AssetData made = scene::sphere(0.1);
   cut_out(made, 256, [](int x, int y) { return (x + y) % 2 == 0; });
   return wrap(std::move(made));
 }
@@ -98,7 +98,7 @@ TEST(CutOutSamples, ShowsNothingOfTheGaps) {
 }
 
 TEST_P(CutOut, CoversThePixelsThatAreThere) {
-  scene::Scene whole = half_plane();
+  scene::AssetData whole = half_plane();
   whole.materials.front().alpha_mode = AssetAlpha::opaque;
   const RenderSettings s = settings_of(GetParam(), true);
   const double all = static_cast<double>(renderer().render(wrap(whole), s).statistics.skin_pixels);
@@ -115,7 +115,7 @@ TEST_P(CutOut, CoversThePixelsThatAreThere) {
 // Without any light, what a pixel shows is what the skin emits there, to the bit of the half floats.
 TEST_P(CutOut, EmissionIsAddedAsItIs) {
   for (const bool mapped : {false, true}) {
-    scene::Scene made = half_plane();
+    scene::AssetData made = half_plane();
     scene::Material& skin = made.materials.front();
     skin.emissive = {0.25f, 0.5f, 3.0f};
     if (mapped) skin.emissive_map = skin.base_colour_map;  // white where the skin is
@@ -144,7 +144,7 @@ TEST_P(CutOut, EmissionIsAddedAsItIs) {
 
 // Emission is not scattered and does not change what is: it is on top.
 TEST_P(CutOut, EmissionIsOnTopOfTheLight) {
-  scene::Scene made = scene::sphere(0.1);
+  scene::AssetData made = scene::sphere(0.1);
   RenderSettings s = settings_of(GetParam(), true);
   const SkinRange lit = skin_range(renderer().render(wrap(made), s));
   made.materials.front().emissive = glm::vec3(0.5f);
@@ -156,7 +156,7 @@ TEST_P(CutOut, EmissionIsOnTopOfTheLight) {
 
 TEST_P(CutOut, ValidationIsSilent) {
   if (!is_validated()) GTEST_SKIP() << "the validation layers are not installed";
-  scene::Scene made = half_plane(61);
+  scene::AssetData made = half_plane(61);
   made.materials.front().emissive = glm::vec3(1);
   RenderSettings s = settings_of(GetParam(), true);
   s.output.width = s.output.height = 32, s.quality.map_size = 64;
@@ -173,7 +173,7 @@ double lit_share(const Picture& picture, int from_column, int to_column, std::si
 }
 
 TEST(CutOutMaps, ShadowEndsAtTheCut) {
-  scene::Scene made = half_plane(256);
+  scene::AssetData made = half_plane(256);
   made.lights.push_back({.name = "sun", .colour = glm::vec3(pi)});
   RenderSettings s = settings_of("texture-space", false);
   s.output.show = "shadow:0";
@@ -187,15 +187,15 @@ TEST(CutOutMaps, ShadowEndsAtTheCut) {
 // Light does not spread from what is cut away: the edge of a lit region is as sharp as the skin beside it
 // makes it, whether skin or nothing lies beyond the cut.
 TEST(CutOutMaps, WhatIsCutAwayIsNotBlurred) {
-  scene::Scene made = half_plane();
-  scene::Scene narrow = scene::plane(size_m, glm::dmat2(1), {}, 4);
+  scene::AssetData made = half_plane();
+  scene::AssetData narrow = scene::plane(size_m, glm::dmat2(1), {}, 4);
   narrow.cameras = made.cameras;
   for (scene::Vertex& v : narrow.primitives.front().vertices) {
     v.position_m.x = v.position_m.x / 2 - static_cast<float>(size_m) / 4;
     v.uv0.x /= 2;
   }
 
-  for (scene::Scene* scene : {&made, &narrow})
+  for (scene::AssetData* scene : {&made, &narrow})
     scene->lights.push_back(
         {.name = "lamp", .type = LightType::point, .colour = glm::vec3(0.001f), .position_m = {0, 0, 0.02f}});
 
@@ -217,8 +217,8 @@ TEST(CutOutMaps, WhatIsCutAwayIsNotBlurred) {
 // A lamp over a plane of skin with a hole; under it a second one, that the light through the hole falls on.
 // A profile so narrow that it does not matter what either does at open borders.
 TEST(CutOutMaps, IsThatOfTheReference) {
-  scene::Scene made = scene::plane(size_m, glm::dmat2(1), {}, 1);
-  scene::Scene sheet = scene::plane(size_m, glm::dmat2(1), {}, 1);
+  scene::AssetData made = scene::plane(size_m, glm::dmat2(1), {}, 1);
+  scene::AssetData sheet = scene::plane(size_m, glm::dmat2(1), {}, 1);
   sheet.materials.front().name = "skin with a hole";
   cut_out(sheet, 8, [](int x, int y) { return x < 2 || x > 5 || y < 2 || y > 5; });
   sheet.materials.front().base_colour_map.image = 0;

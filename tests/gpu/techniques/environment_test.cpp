@@ -12,8 +12,8 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "image/codec.h"
-#include "scene/primitives.h"
 #include "support/files.h"
 
 namespace dermis::tests {

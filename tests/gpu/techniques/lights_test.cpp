@@ -5,13 +5,13 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::tests {
 namespace {
 
 Picture lit_by(const std::vector<scene::Light>& lights, const RenderSettings& settings) {
-  scene::Scene made = scene::sphere(0.1, 16);
+  scene::AssetData made = scene::sphere(0.1, 16);
   made.cameras = {camera_from_above(0.12, {0, 0, 0.5f})};
   made.lights = lights;
   return renderer().render(wrap(std::move(made)), settings);

@@ -9,16 +9,16 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/placement.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/placement.h"
 
 namespace dermis::tests {
 namespace {
 
 /// A row of shared octahedra-like balls before the camera, turned, stretched, every third one mirrored; none
 /// is skin. `blended`: half transparent.
-scene::Scene shared_balls(int count, bool blended = false) {
-  scene::Scene made = scene::sphere(0.5, 4);
+scene::AssetData shared_balls(int count, bool blended = false) {
+  scene::AssetData made = scene::sphere(0.5, 4);
   made.materials[0].skin = false;
   made.materials[0].roughness = 0.4f;
   made.materials[0].base_colour = {0.8f, 0.4f, 0.2f, blended ? 0.5f : 1.0f};
@@ -37,8 +37,8 @@ scene::Scene shared_balls(int count, bool blended = false) {
 }
 
 /// The same with a mesh for each node.
-scene::Scene with_own_meshes(const scene::Scene& shared) {
-  scene::Scene made = shared;
+scene::AssetData with_own_meshes(const scene::AssetData& shared) {
+  scene::AssetData made = shared;
   made.primitives = scene::written_out(shared);
   return made;
 }
@@ -75,7 +75,7 @@ RenderSettings tiny_settings() {
 // some 18 pixels of edges with 4 samples each. That makes 8 samples in all, and 8 + 4 sqrt(8) at most.
 TEST(Nodes, SharedMeshesLookAsIfEachNodeHadItsOwn) {
   for (const bool blended : {false, true}) {
-    const scene::Scene shared = shared_balls(20, blended);
+    const scene::AssetData shared = shared_balls(20, blended);
     const Picture a = renderer().render(wrap(shared), tiny_settings());
     const Picture b = renderer().render(wrap(with_own_meshes(shared)), tiny_settings());
     EXPECT_LE(different_pixels(a, b, 2 * half_rounding), 20u) << blended << ": " << largest_difference(a, b);
@@ -97,8 +97,8 @@ TEST(Nodes, WhatAFrameTakesDoesNotGrowWithNodes) {
 }
 
 /// Small balls of skin in a square, each a node with an unwrap of its own.
-scene::Scene skin_balls(int count) {
-  scene::Scene made = scene::sphere(0.02, 4);
+scene::AssetData skin_balls(int count) {
+  scene::AssetData made = scene::sphere(0.02, 4);
   const scene::Primitive ball = made.primitives[0];
   made.primitives.clear();
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
@@ -144,7 +144,7 @@ std::size_t heap_bytes() {
 }
 
 // A software driver that compiles shaders for what uniform blocks hold keeps them for ever: see
-// shaders/switches.glsl. Materials without maps leave it the most to compile for.
+// render/shaders/switches.glsl. Materials without maps leave it the most to compile for.
 TEST(Nodes, FramesAndNodesLeaveNothingBehind) {
   RenderSettings s = tiny_settings();
   s.output.width = s.output.height = 48;

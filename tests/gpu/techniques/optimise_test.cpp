@@ -5,14 +5,14 @@
 #include <glm/gtx/component_wise.hpp>
 
 #include "api/scene_state.h"
+#include "base/settings/names.h"
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
-#include "scene/coverage.h"
-#include "scene/framing.h"
-#include "settings/names.h"
-#include "techniques/map_side.h"
+#include "head/scene/framing.h"
+#include "head/scene/surface/coverage.h"
+#include "render/techniques/map_side.h"
 
 namespace dermis::tests {
 namespace {
@@ -27,7 +27,7 @@ RenderSettings settings_with(bool cull, bool depth, bool clip) {
 }
 
 constexpr int tile_width = 16, tile_height = 8;
-constexpr float tile_reach = 1;  // texels: passes/tiles/seen_tiles.comp
+constexpr float tile_reach = 1;  // texels: render/passes/light_map/tiles/seen_tiles.comp
 
 // Texels of the map that triangles cover, in the tiles that triangles touch which `kept(triangle)` accepts.
 template <class Kept>

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/settings/names.h"
 #include "gpu/support/heads.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "scene/primitives.h"
-#include "settings/names.h"
+#include "head/scene/import/primitives.h"
+#include "render/techniques/technique.h"
 #include "support/rigs.h"
-#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -24,9 +24,9 @@ Renderer& poisoned_renderer() {
 
 /// A plane whose texture coordinates end where the square of the light map does, and a ball with seams above
 /// it, skin of its own, in a square of its own.
-scene::Scene plane_and_ball() {
-  scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 4);
-  const scene::Scene ball = scene::sphere(0.05, 8);
+scene::AssetData plane_and_ball() {
+  scene::AssetData made = scene::plane(0.2, glm::dmat2(1), {}, 4);
+  const scene::AssetData ball = scene::sphere(0.05, 8);
   made.materials.push_back(ball.materials.front());
   made.primitives.push_back(ball.primitives.front());
   made.primitives.back().material = 1, made.primitives.back().node = 1;
@@ -35,8 +35,8 @@ scene::Scene plane_and_ball() {
 }
 
 /// The same with holes in the plane, some of them at its rim.
-scene::Scene with_holes() {
-  scene::Scene made = plane_and_ball();
+scene::AssetData with_holes() {
+  scene::AssetData made = plane_and_ball();
   image::Image8 pixels{.width = 8, .height = 8, .rgba = {}};
   for (int i = 0; i < 64; ++i) {
     const std::uint8_t there = (i % 8 + i / 8) % 3 == 0 ? 0 : 255;
@@ -134,7 +134,7 @@ TEST(StaleTexels, ShowInNoBatch) {
 }
 
 TEST(StaleTexels, ShowInNoPose) {
-  scene::Scene made = plane_and_ball();
+  scene::AssetData made = plane_and_ball();
   made.primitives.back().placements = {{.world_from_mesh = glm::dmat4x3(1)}};
   made.rig = morphing(made, [](const glm::vec3& p) { return glm::vec3(1.3f * p.x, p.y, 0.5f * p.x); });
   Scene scene = wrap(std::move(made));

@@ -7,7 +7,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "techniques/technique.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::tests {
 namespace {

@@ -13,8 +13,8 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "image/metrics.h"
-#include "scene/primitives.h"
 
 namespace dermis::tests {
 namespace {
@@ -94,8 +94,8 @@ TEST_P(TexelPictures, AreThoseOfAllTiles) {
 
 // Two balls of one head, of other profiles, a light map each; the first of two materials, one of which is cut
 // out: three lists.
-scene::Scene several_materials() {
-  scene::Scene made = scene::sphere(0.1, 16), front = scene::sphere(0.05, 16);
+scene::AssetData several_materials() {
+  scene::AssetData made = scene::sphere(0.1, 16), front = scene::sphere(0.05, 16);
   image::Image8 pixels{.width = 64, .height = 64, .rgba = {}};
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {

@@ -16,16 +16,16 @@
 #include "gpu/frame_memory.h"
 #include "gpu/support/renderer.h"
 #include "gpu/transfer.h"
+#include "head/scene/import/load.h"
+#include "head/scene/import/primitives.h"
 #include "image/colour.h"
-#include "passes/gutter_list.h"
-#include "passes/shaders.h"
-#include "scene/load.h"
-#include "scene/primitives.h"
-#include "setup/frame_data.h"
-#include "setup/frame_setup.h"
+#include "render/passes/asset/gutter_list.h"
+#include "render/passes/shaders.h"
+#include "render/setup/frame_data.h"
+#include "render/setup/frame_setup.h"
+#include "render/techniques/technique.h"
 #include "support/assets.h"
 #include "support/built_in.h"
-#include "techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -59,10 +59,10 @@ RenderSettings small(int map_size = 128) {
 /// A plan and its memory, for frames of one head.
 class Frames {
  public:
-  Frames(std::shared_ptr<const scene::Scene> scene, const RenderSettings& settings)
+  Frames(std::shared_ptr<const scene::AssetData> scene, const RenderSettings& settings)
       : subject_(setup::examine(std::move(scene))) {
     set_up(settings);
-    scene_ = std::make_unique<passes::GpuScene>(bench()->library, *subject_.scene, subject_.skin);
+    scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *subject_.scene, subject_.skin);
     look_ = scene_->make_look(bench()->device, {});
     outputs_ = setup_.technique->build(plan_, setup_.plan);
     executor_ = std::make_unique<frame::Executor<passes::FrameData>>(bench()->library, plan_);
@@ -135,7 +135,7 @@ class Frames {
 
   setup::Subject subject_;
   setup::FrameSetup setup_;
-  std::unique_ptr<passes::GpuScene> scene_;
+  std::unique_ptr<passes::GpuAsset> scene_;
   passes::GpuLook look_;
   passes::FramePlan plan_;
   techniques::FrameOutputs outputs_;
@@ -145,7 +145,7 @@ class Frames {
   gpu::FrameMemory memory_{bench()->device, "frame"};
 };
 
-using ScenePointer = std::shared_ptr<const scene::Scene>;
+using ScenePointer = std::shared_ptr<const scene::AssetData>;
 
 struct Case {
   const char* name;
@@ -153,13 +153,13 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  std::vector<Case> all{{"sphere", std::make_shared<scene::Scene>(scene::sphere(0.1, 12))},
-                        {"built-in head", std::make_shared<scene::Scene>(built_in_head())}};
+  std::vector<Case> all{{"sphere", std::make_shared<scene::AssetData>(scene::sphere(0.1, 12))},
+                        {"built-in head", std::make_shared<scene::AssetData>(built_in_head())}};
   const auto mesh_head = asset_cache() / "makehuman/mh-african-man-young.glb";
   if (missing_asset({mesh_head}).empty())
-    all.push_back({"MakeHuman", std::make_shared<scene::Scene>(scene::load_gltf(mesh_head))});
+    all.push_back({"MakeHuman", std::make_shared<scene::AssetData>(scene::load_gltf(mesh_head))});
   if (missing_scan().empty())
-    all.push_back({"scan", std::make_shared<scene::Scene>(scene::load_gltf(scan_manifest()))});
+    all.push_back({"scan", std::make_shared<scene::AssetData>(scene::load_gltf(scan_manifest()))});
   return all;
 }
 
@@ -210,7 +210,7 @@ TEST_F(Texels, OfSeenTilesHaveTheBitsOfAllTiles) {
 }
 
 TEST_F(Texels, HaveEqualBitsFromFrameToFrame) {
-  const auto scene = std::make_shared<scene::Scene>(built_in_head());
+  const auto scene = std::make_shared<scene::AssetData>(built_in_head());
   const RenderSettings s = small();
   Frames one(scene, s), other(scene, s);
   one.draw(s);
@@ -220,7 +220,7 @@ TEST_F(Texels, HaveEqualBitsFromFrameToFrame) {
 }
 
 TEST_F(Texels, LeaveOutWhatIsNotSeen) {
-  const auto scene = std::make_shared<scene::Scene>(built_in_head());
+  const auto scene = std::make_shared<scene::AssetData>(built_in_head());
   const auto texels = [&](bool cull, bool clip) {
     RenderSettings s = small(256);
     s.quality.cull = cull;
@@ -240,7 +240,7 @@ TEST_F(Texels, LeaveOutWhatIsNotSeen) {
 }
 
 TEST_F(Texels, MapIsDrawnAgainOnlyForAnotherSide) {
-  const auto scene = std::make_shared<scene::Scene>(built_in_head());
+  const auto scene = std::make_shared<scene::AssetData>(built_in_head());
   RenderSettings s = small();
   s.quality.depth = true;
   s.quality.map_size = 512;

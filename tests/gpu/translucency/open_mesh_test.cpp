@@ -10,14 +10,14 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "gpu/translucency/slab.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::tests {
 namespace {
 
 /// The half of an egg that faces the camera, with few triangles and thus with kinks, or all of it.
 Scene egg(double depth_m, bool open, const glm::vec3& light) {
-  scene::Scene made = scene::ellipsoid({0.04, 0.06, depth_m}, 24);
+  scene::AssetData made = scene::ellipsoid({0.04, 0.06, depth_m}, 24);
   scene::Primitive& primitive = made.primitives[0];
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < primitive.indices.size(); i += 3) {

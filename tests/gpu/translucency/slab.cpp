@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "gaussians/known.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::tests {
 
-scene::Scene slab(double thickness_mm) {
-  scene::Scene made = two_planes(0.04, 4, [&](scene::Vertex& v) {
+scene::AssetData slab(double thickness_mm) {
+  scene::AssetData made = two_planes(0.04, 4, [&](scene::Vertex& v) {
     // Half a turn around y.
     v.position_m = {-v.position_m.x, v.position_m.y, -static_cast<float>(thickness_mm / 1000)};
     v.normal = {-v.normal.x, v.normal.y, -v.normal.z};

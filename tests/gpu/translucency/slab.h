@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "dermis/settings.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 
 namespace dermis::tests {
 
 /// Front z = 0 with normal +z, back z = -thickness, both 40 mm wide, each a chart of its own; seen from +z
 /// without perspective, 1 mm up and down. `skin` is material 0.
-scene::Scene slab(double thickness_mm);
+scene::AssetData slab(double thickness_mm);
 
 /// A directional light that falls on the back at this angle to its normal; irradiance facing it.
 scene::Light from_behind(const glm::vec3& irradiance, double angle_deg = 0);

@@ -13,8 +13,8 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "gpu/translucency/slab.h"
-#include "scene/primitives.h"
-#include "techniques/technique.h"
+#include "head/scene/import/primitives.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::tests {
 namespace {
@@ -42,7 +42,7 @@ Lit lit(int lights, double thickness_mm) {
 }
 
 Scene lit_slab(double thickness_mm, const std::vector<scene::Light>& lights) {
-  scene::Scene scene = slab(thickness_mm);
+  scene::AssetData scene = slab(thickness_mm);
   scene.lights = lights;
   return wrap(std::move(scene));
 }
@@ -124,7 +124,7 @@ TEST(Slab, IsThatOfTheReference) {
 // The inside of skin that is open, as that of a bust, is no lit side of a body.
 TEST(Slab, WithoutItsLitSideItStaysDark) {
   for (const double angle : {0.0, 50.0}) {
-    scene::Scene open = slab(1);
+    scene::AssetData open = slab(1);
     std::vector<std::uint32_t>& indices = open.primitives.front().indices;
     indices.resize(indices.size() / 2);  // the front alone
     open.lights = {from_behind({3, 3, 3}, angle)};
@@ -175,7 +175,7 @@ TEST(Slab, SwitchedOffItIsDark) {
 
 // Only skin lets light in, and what it keeps depends on its colour there, not here.
 TEST(Slab, WhatCoversItKeepsTheLightOut) {
-  scene::Scene scene = slab(0.5);
+  scene::AssetData scene = slab(0.5);
   scene.lights = {from_behind({2, 2, 2})};
   scene::Primitive cover = scene::plane(0.06, glm::dmat2(1), {}, 1).primitives.front();
   for (scene::Vertex& v : cover.vertices) v.position_m.z = -0.0006f;
@@ -188,7 +188,7 @@ TEST(Slab, WhatCoversItKeepsTheLightOut) {
 }
 
 TEST(Slab, TheColourOfTheLitSideActs) {
-  scene::Scene scene = slab(1);
+  scene::AssetData scene = slab(1);
   scene.lights = {from_behind({2, 2, 2})};
   RenderSettings s = slab_settings();
   s.lighting.white_albedo = false;

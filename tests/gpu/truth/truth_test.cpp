@@ -17,12 +17,12 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "image/codec.h"
 #include "image/colour.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 #include "image/tone_map.h"
-#include "scene/primitives.h"
 #include "support/files.h"
 
 namespace dermis::tests {
@@ -252,7 +252,7 @@ TEST(Truth, ASunIsNoWorseThanAStudio) {
 /// A plane of skin under a light from straight above, half of it in the shadow of a sheet; a camera between
 /// both sees 12 mm of it.
 Scene knife_edge() {
-  scene::Scene made = scene::plane(0.06, glm::dmat2(1), {}, 1);
+  scene::AssetData made = scene::plane(0.06, glm::dmat2(1), {}, 1);
   add_sheet(made, 0.05f, 0.02f);
   made.lights.push_back({.name = "sun", .colour = glm::vec3(3.14159265f)});
   made.cameras = {camera_from_above(0.002, {0, 0, 0.01f})};

@@ -9,14 +9,14 @@
 #include <numbers>
 
 #include "dermis/reference.h"
-#include "gaussians/known.h"
 #include "gpu/support/failure.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "gpu/unwraps/made_up.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::tests {
 namespace {
@@ -29,7 +29,7 @@ constexpr int side_px = 24, fine = 4;
 /// middle white. The camera sees 60 mm each way.
 Scene plane_under_a_lamp() {
   constexpr float lamp_m = static_cast<float>(lamp_mm / 1000);
-  scene::Scene made = scene::plane(1.5, glm::dmat2(1), {}, 16);
+  scene::AssetData made = scene::plane(1.5, glm::dmat2(1), {}, 16);
   made.lights.push_back({.name = "lamp",
                          .type = LightType::point,
                          .colour = glm::vec3(static_cast<float>(pi) * lamp_m * lamp_m),

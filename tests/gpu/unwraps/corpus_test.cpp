@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "gpu/support/renderer.h"
 #include "gpu/unwraps/made_up.h"
 #include "support/assets.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::tests {
 namespace {
@@ -34,7 +34,7 @@ RenderSettings tiny_settings(int side, int map_size) {
   return s;
 }
 
-scene::Scene moved(scene::Scene scene, const glm::dmat2& factor, const glm::dvec2& offset) {
+scene::AssetData moved(scene::AssetData scene, const glm::dmat2& factor, const glm::dvec2& offset) {
   for (scene::Primitive& p : scene.primitives) {
     if (!scene.materials[static_cast<std::size_t>(p.material)].skin) continue;
     for (scene::Vertex& v : p.vertices) v.uv0 = glm::vec2(factor * glm::dvec2(v.uv0) + offset);
@@ -44,8 +44,8 @@ scene::Scene moved(scene::Scene scene, const glm::dmat2& factor, const glm::dvec
   return scene;
 }
 
-scene::Scene with_triangles(scene::Scene scene,
-                            const std::function<void(std::size_t, scene::Vertex*)>& change) {
+scene::AssetData with_triangles(scene::AssetData scene,
+                                const std::function<void(std::size_t, scene::Vertex*)>& change) {
   scene::Primitive& p = scene.primitives.front();
   std::vector<scene::Vertex> vertices;
   for (const std::uint32_t index : p.indices) vertices.push_back(p.vertices[index]);
@@ -56,7 +56,7 @@ scene::Scene with_triangles(scene::Scene scene,
 }
 
 std::vector<MadeUp> made_up_unwraps() {
-  const scene::Scene sphere = scene::sphere(0.1, 8);
+  const scene::AssetData sphere = scene::sphere(0.1, 8);
   std::vector<MadeUp> all{
       {"as it is", sphere},
       {"a tenth", moved(sphere, glm::dmat2(0.1))},
@@ -100,7 +100,7 @@ std::vector<MadeUp> made_up_unwraps() {
     for (std::size_t k = 0; k < 3; ++k) v[k].uv0 = v[k].uv0 * 0.02f + glm::vec2(t % 2 == 0 ? 0.0f : 0.98f);
   });
 
-  scene::Scene without = moved(sphere, glm::dmat2(0));
+  scene::AssetData without = moved(sphere, glm::dmat2(0));
   without.primitives[0].has_uv = false;
   all.push_back({"none at all", without});
   return all;

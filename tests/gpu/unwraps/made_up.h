@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dermis/settings.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 
 namespace dermis::tests {
 
@@ -16,15 +16,15 @@ namespace dermis::tests {
 RenderSettings tiny_settings(int side, int map_size);
 
 /// The scene with uv' = factor * uv + offset on its skin. Maps are moved likewise, so they show the same.
-scene::Scene moved(scene::Scene scene, const glm::dmat2& factor, const glm::dvec2& offset = {});
+scene::AssetData moved(scene::AssetData scene, const glm::dmat2& factor, const glm::dvec2& offset = {});
 
 /// Gives each triangle of the skin vertices of its own and lets `change` set the coordinates of each.
-scene::Scene with_triangles(scene::Scene scene,
-                            const std::function<void(std::size_t triangle, scene::Vertex* corners)>& change);
+scene::AssetData with_triangles(
+    scene::AssetData scene, const std::function<void(std::size_t triangle, scene::Vertex* corners)>& change);
 
 struct MadeUp {
   std::string name;
-  scene::Scene scene;
+  scene::AssetData scene;
 };
 
 /// A sphere of 0.1 m with coordinates that are scaled, moved, flipped, sheared, collapsed, partly without

@@ -13,8 +13,8 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "gpu/unwraps/made_up.h"
+#include "head/scene/import/primitives.h"
 #include "image/metrics.h"
-#include "scene/primitives.h"
 #include "support/built_in.h"
 
 namespace dermis::tests {
@@ -53,7 +53,7 @@ TEST(Unwraps, AWhiteFurnaceIsWhite) {
 
 // The fit takes back what the file has scaled, up to the rounding of its floats.
 TEST(Unwraps, AScaledHeadLooksLikeItself) {
-  const scene::Scene head = kept_built_in_head(128);
+  const scene::AssetData head = kept_built_in_head(128);
   const RenderSettings s = tiny_settings(96, 192);
   const Picture plain = renderer().render(wrap(head), s);
   const std::pair<double, double> cases[]{{0.1, 0.0}, {0.001, 0.5}};
@@ -71,8 +71,8 @@ TEST(Unwraps, AScaledHeadLooksLikeItself) {
 // Both halves of a sphere on the same texels, one of them mirrored: each shows its own light, and not that of
 // the other, lit from the side.
 TEST(Unwraps, HalvesOnTheSameTexelsShowTheirOwnLight) {
-  const scene::Scene sphere = scene::sphere(0.1, 12);
-  scene::Scene folded = sphere;
+  const scene::AssetData sphere = scene::sphere(0.1, 12);
+  scene::AssetData folded = sphere;
   for (scene::Primitive& primitive : folded.primitives)
     for (scene::Vertex& vertex : primitive.vertices) vertex.uv0.x = std::abs(2 * vertex.uv0.x - 1);
 
@@ -92,7 +92,7 @@ TEST(Unwraps, HalvesOnTheSameTexelsShowTheirOwnLight) {
 // Without texture coordinates nothing scatters, and all light is there: as the model without scattering has
 // it.
 TEST(Unwraps, SkinWithoutCoordinatesIsLitAtThePixel) {
-  scene::Scene sphere = moved(scene::sphere(0.1, 10), glm::dmat2(0));
+  scene::AssetData sphere = moved(scene::sphere(0.1, 10), glm::dmat2(0));
   sphere.primitives[0].has_uv = false;
   RenderSettings s = tiny_settings(96, 64);
   s.skin.translucency = false;

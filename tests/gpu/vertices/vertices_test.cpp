@@ -10,17 +10,17 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "passes/gpu_scene.h"
-#include "passes/shaders.h"
-#include "scene/primitives.h"
-#include "scene/unwrap.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/unwrap.h"
+#include "render/passes/asset/gpu_asset.h"
+#include "render/passes/shaders.h"
 #include "support/scenes.h"
 
 namespace dermis::tests {
 namespace {
 
 /// Gives each corner of each triangle a vertex of its own, and takes away those without a triangle.
-scene::Scene unshared(scene::Scene scene) {
+scene::AssetData unshared(scene::AssetData scene) {
   for (scene::Primitive& p : scene.primitives) {
     std::vector<scene::Vertex> vertices;
     for (const std::uint32_t index : p.indices) vertices.push_back(p.vertices[index]);
@@ -32,8 +32,8 @@ scene::Scene unshared(scene::Scene scene) {
 
 /// A sphere with all that meshes may have: mirrored charts, triangles without area, one without a chart,
 /// vertices that no triangle has; a sheet beside it that is not skin.
-scene::Scene odd_sphere() {
-  scene::Scene made = scene::sphere(0.1, 6);
+scene::AssetData odd_sphere() {
+  scene::AssetData made = scene::sphere(0.1, 6);
   scene::Primitive& p = made.primitives.front();
 
   for (scene::Vertex& v : p.vertices) {
@@ -69,7 +69,7 @@ void expect_same(const Picture& shared, const Picture& other) {
 }
 
 TEST(Vertices, APictureIsTheSameWhetherTheyAreSharedOrNot) {
-  const scene::Scene made = odd_sphere();
+  const scene::AssetData made = odd_sphere();
   const Scene shared = wrap(made), other = wrap(unshared(made));
   for (const std::string& technique : technique_names())
     for (const bool optimised : {false, true}) {
@@ -80,7 +80,7 @@ TEST(Vertices, APictureIsTheSameWhetherTheyAreSharedOrNot) {
 }
 
 TEST(Vertices, AsManyAsNoShortNumberHolds) {
-  scene::Scene made = scene::sphere(0.1, 110);
+  scene::AssetData made = scene::sphere(0.1, 110);
   ASSERT_GT(made.primitives.front().vertices.size(), 65535u);
   made.lights.push_back(directional_light(glm::vec3(0, 0, -1)));
   const Scene shared = wrap(made), other = wrap(unshared(made));
@@ -90,7 +90,7 @@ TEST(Vertices, AsManyAsNoShortNumberHolds) {
 
 // Extras that are equal are there once.
 TEST(Vertices, APictureIsTheSameWhetherExtrasAreEqualOrNot) {
-  scene::Scene made = scene::sphere(0.1, 6);
+  scene::AssetData made = scene::sphere(0.1, 6);
   made.lights.push_back(directional_light(glm::vec3(0, 0, -1)));
   scene::Primitive& p = made.primitives.front();
   p.vertices.insert(p.vertices.begin(), p.vertices.front());  // no triangle has it
@@ -134,7 +134,7 @@ class OnTheDevice : public testing::Test {
     }
     return made->library;
   }
-  static passes::GpuScene uploaded(const scene::Scene& scene) {
+  static passes::GpuAsset uploaded(const scene::AssetData& scene) {
     return {library(), scene, scene::skin_meshes(scene)};
   }
 };
@@ -142,11 +142,11 @@ class OnTheDevice : public testing::Test {
 constexpr std::size_t number = 4;  // bytes
 
 TEST_F(OnTheDevice, VerticesTakeWhatTheyNeed) {
-  const scene::Scene made = scene::sphere(0.1, 8);
+  const scene::AssetData made = scene::sphere(0.1, 8);
   const scene::SkinMesh skin = scene::skin_meshes(made).front();
   const std::size_t vertices = skin.vertices.size(), triangles = skin.triangle_chart.size();
 
-  const passes::GpuScene scene = uploaded(made);
+  const passes::GpuAsset scene = uploaded(made);
   const passes::GpuMesh& mesh = scene.skin.front();
   EXPECT_EQ(mesh.vertices.desc().bytes, 12 * number * vertices);
   EXPECT_EQ(mesh.skin_vertices.desc().bytes, 8 * number * vertices);
@@ -163,16 +163,16 @@ TEST_F(OnTheDevice, VerticesTakeWhatTheyNeed) {
 }
 
 TEST_F(OnTheDevice, ExtrasThatDifferAreThereForEachVertex) {
-  scene::Scene made = scene::sphere(0.1, 8);
+  scene::AssetData made = scene::sphere(0.1, 8);
   made.primitives.front().vertices.back().uv1.x = 0.5f;
   const std::size_t vertices = scene::skin_meshes(made).front().vertices.size();
   EXPECT_EQ(uploaded(made).skin.front().vertex_extras.desc().bytes, 8 * number * vertices);
 }
 
 TEST_F(OnTheDevice, PartsThatAreNotSkinHaveNoUnwrap) {
-  const scene::Scene made = odd_sphere();
+  const scene::AssetData made = odd_sphere();
   const scene::Primitive& sheet = made.primitives.back();
-  const passes::GpuScene scene = uploaded(made);
+  const passes::GpuAsset scene = uploaded(made);
   ASSERT_EQ(scene.surfaces.pages.size(), 1u);
   EXPECT_EQ(scene.surfaces.pages[0].vertices.desc().bytes, 12 * number * sheet.vertices.size());
   EXPECT_EQ(scene.surfaces.pages[0].vertex_extras.desc().bytes, 8 * number);

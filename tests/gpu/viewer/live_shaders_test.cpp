@@ -53,7 +53,7 @@ class EditedShaders : public testing::Test {
   std::optional<ShaderFolder> shaders_;
 };
 
-constexpr const char* tone_map = "passes/tone_map/tone_map.comp";
+constexpr const char* tone_map = "render/passes/finish/tone_map/tone_map.comp";
 
 TEST_F(EditedShaders, AreCompiledWithWhatIncludesThem) {
   EXPECT_FALSE(shaders_->refresh(go_on));
@@ -64,7 +64,8 @@ TEST_F(EditedShaders, AreCompiledWithWhatIncludesThem) {
   EXPECT_TRUE(shaders_->shaders()->empty()) << "a comment makes another shader";
   EXPECT_FALSE(shaders_->refresh(go_on));
 
-  edit("passes/open_share/open_share.glsl", "void main() {", "void main() {\n  if (false) return;");
+  edit("render/passes/pixels/open_share/open_share.glsl", "void main() {",
+       "void main() {\n  if (false) return;");
   EXPECT_TRUE(shaders_->refresh(go_on));
   EXPECT_EQ(shaders_->errors(), "");
   for (const char* name : {"open_share.comp", "open_share_single.comp"})
@@ -80,7 +81,8 @@ TEST_F(EditedShaders, KeepTheLastThatWereRight) {
 
   edit(tone_map, "#version 460", "#version 460\nneither a type nor a name;");
   EXPECT_TRUE(shaders_->refresh(go_on));
-  EXPECT_EQ(shaders_->errors().find("passes/tone_map/tone_map.comp:10: error:"), 0u) << shaders_->errors();
+  EXPECT_EQ(shaders_->errors().find("render/passes/finish/tone_map/tone_map.comp:10: error:"), 0u)
+      << shaders_->errors();
   EXPECT_EQ(shaders_->shaders(), right);
 
   edit(tone_map, "neither a type nor a name;", "");

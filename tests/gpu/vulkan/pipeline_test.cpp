@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/file.h"
+#include "base/core/file.h"
 #include "fixture.h"
 #include "gpu/pipeline_cache.h"
 #include "support/log_lines.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "scene/from_arrays.h"
+#include "head/scene/import/from_arrays.h"
 #include "support.h"
 
 namespace dermis::scene::test {
@@ -64,7 +64,7 @@ std::string said(const Warnings& warnings, const std::string& file, const std::s
 std::string expect_as_gltf(const AssetArrays& given, const LoadOptions& options = {}) {
   const TempFolder folder;
   const fs::path file = gltf_of(given).write(folder.path());
-  Scene expected;
+  AssetData expected;
   std::string lines;
   {
     const Warnings warnings;
@@ -274,7 +274,7 @@ TEST(ArraysAsGltf, UnusedMaterialsAndImagesAreDropped) {
   whole.given.meshes.erase(whole.given.meshes.begin());
   expect_as_gltf(whole.given);
   const Warnings quiet;
-  const Scene scene = scene_from_arrays(whole.given);
+  const AssetData scene = scene_from_arrays(whole.given);
   EXPECT_EQ(scene.materials.size(), 1u);
   EXPECT_EQ(scene.images.size(), 3u);
 }
@@ -290,7 +290,7 @@ TEST(ArraysAsGltf, MeshesOfOneNodeAreOneHead) {
   given.meshes[1].node = 5;
   given.meshes[3].node = 5;
   const Warnings quiet;
-  const Scene scene = scene_from_arrays(given);
+  const AssetData scene = scene_from_arrays(given);
   ASSERT_EQ(scene.primitives.size(), 4u);
   EXPECT_EQ(scene.primitives[1].node, 5);
   EXPECT_EQ(scene.primitives[3].node, 5);
@@ -303,7 +303,7 @@ TEST(ArraysAsGltf, MeshesOfOneNodeAreOneHead) {
 // The caller's memory may go away, and be written to.
 TEST(ArraysAsGltf, NothingIsBorrowedAfterwards) {
   const Warnings quiet;
-  Scene scene, expected;
+  AssetData scene, expected;
   {
     Whole whole;
     expected = scene_from_arrays(whole.given);

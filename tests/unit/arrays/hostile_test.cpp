@@ -4,8 +4,8 @@
 #include <functional>
 #include <limits>
 
-#include "scene/from_arrays.h"
-#include "scene/limits.h"
+#include "head/scene/import/from_arrays.h"
+#include "head/scene/import/limits.h"
 #include "support.h"
 #include "support/thrown.h"
 

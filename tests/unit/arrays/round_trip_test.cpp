@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes of real files, taken apart into arrays and put together again, are the same scenes.
-#include "scene/from_arrays.h"
-#include "scene/placement.h"
+#include "head/scene/import/from_arrays.h"
+#include "head/scene/placement.h"
 #include "support.h"
 #include "support/built_in.h"
 
@@ -13,24 +13,24 @@ namespace {
 constexpr float rounding = 2.5e-7f;
 
 /// Loads a file with every copy of a mesh written out, as arrays have them.
-Scene load(const fs::path& file) {
-  Scene scene = load_gltf(file);
+AssetData load(const fs::path& file) {
+  AssetData scene = load_gltf(file);
   std::vector<Primitive> primitives = written_out(scene);
   scene.primitives = std::move(primitives);
   return scene;
 }
 
 /// Takes a scene apart and puts it together, with its tangents or, without, with those that are made.
-void expect_round_trip(const Scene& scene, ArraysOf::Tangents tangents) {
+void expect_round_trip(const AssetData& scene, ArraysOf::Tangents tangents) {
   const ArraysOf arrays(scene, tangents);
-  const Scene made = scene_from_arrays(arrays.given);
+  const AssetData made = scene_from_arrays(arrays.given);
   EXPECT_EQ(made.name, scene.name);
   expect_same(made, scene, rounding);
 }
 
 /// A glTF file of the same arrays gives the same scene, directions too. Pictures are left out: they take long
 /// to write, and gltf_test.cpp has them.
-void expect_as_gltf(const Scene& scene) {
+void expect_as_gltf(const AssetData& scene) {
   ArraysOf arrays(scene, ArraysOf::Tangents::all);
   const std::vector<std::uint8_t> pixel(4, 200);
   for (AssetImage& image : arrays.given.images) {
@@ -43,7 +43,7 @@ void expect_as_gltf(const Scene& scene) {
 
 TEST(ArraysRoundTrip, TheBuiltInHead) {
   const Warnings quiet;
-  const Scene& head = tests::built_in_head();
+  const AssetData& head = tests::built_in_head();
   expect_round_trip(head, ArraysOf::Tangents::none);
   expect_round_trip(head, ArraysOf::Tangents::all);
   expect_as_gltf(head);
@@ -52,7 +52,7 @@ TEST(ArraysRoundTrip, TheBuiltInHead) {
 TEST(ArraysRoundTrip, TheScan) {
   if (const std::string missing = tests::missing_scan({}); !missing.empty()) GTEST_SKIP() << missing;
   const Warnings quiet;
-  const Scene scan = load(tests::scan_manifest());
+  const AssetData scan = load(tests::scan_manifest());
   expect_round_trip(scan, ArraysOf::Tangents::none);
   expect_round_trip(scan, ArraysOf::Tangents::all);
   expect_as_gltf(scan);
@@ -70,7 +70,7 @@ TEST(ArraysRoundTrip, FilesOfOthers) {
         "gltf-valid/head-variants/head-instanced-mirrored-deep.glb", "gltf-valid/tinygltf/Cube/Cube.gltf",
         "makehuman/crowd/mh-crowd-african-man-old-lod0.glb"}) {
     SCOPED_TRACE(name);
-    const Scene scene = load(*root / name);
+    const AssetData scene = load(*root / name);
     expect_round_trip(scene, ArraysOf::Tangents::all);
     // Tangents of the file, or of a mesh before its nodes bend it, are others than those made here.
     const std::string_view file = name;

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "scene/from_arrays.h"
-#include "scene/unwrap.h"
+#include "head/scene/import/from_arrays.h"
+#include "head/scene/surface/unwrap.h"
 #include "support.h"
 
 namespace dermis::scene::test {

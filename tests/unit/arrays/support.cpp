@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "gaussians/scatter_profile.h"
+#include "tissue/gaussians/scatter_profile.h"
 
 namespace dermis::scene::test {
 
@@ -182,7 +182,7 @@ void OwnedMesh::lend(AssetMesh& mesh) const {
   mesh.indices = indices;
 }
 
-ArraysOf::ArraysOf(const Scene& scene, Tangents tangents) {
+ArraysOf::ArraysOf(const AssetData& scene, Tangents tangents) {
   given.name = scene.name;
   for (const Primitive& primitive : scene.primitives) {
     AssetMesh& mesh = given.meshes.emplace_back();
@@ -202,7 +202,7 @@ ArraysOf::ArraysOf(const Scene& scene, Tangents tangents) {
                             .pixels = image.pixels->rgba});
 }
 
-void expect_same(const Scene& made, const Scene& expected, float directions) {
+void expect_same(const AssetData& made, const AssetData& expected, float directions) {
   ASSERT_EQ(made.primitives.size(), expected.primitives.size());
   for (std::size_t i = 0; i < made.primitives.size(); ++i)
     expect_same_primitive(made.primitives[i], expected.primitives[i], directions);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dermis/asset_arrays.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 #include "unit/gltf/support.h"
 
 namespace dermis::scene::test {
@@ -34,7 +34,7 @@ struct OwnedMesh {
 class ArraysOf {
  public:
   enum class Tangents : std::uint8_t { none, all };
-  ArraysOf(const Scene& scene, Tangents tangents);
+  ArraysOf(const AssetData& scene, Tangents tangents);
   ArraysOf(const ArraysOf&) = delete;
   ArraysOf& operator=(const ArraysOf&) = delete;
 
@@ -50,6 +50,6 @@ Builder gltf_of(const AssetArrays& given);
 
 /// Fails where two scenes differ. Components of normals and tangents may differ by `directions`, all else by
 /// no bit. Names of scenes are not compared.
-void expect_same(const Scene& made, const Scene& expected, float directions = 0);
+void expect_same(const AssetData& made, const AssetData& expected, float directions = 0);
 
 }  // namespace dermis::scene::test

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/core/file.h"
 #include "cli/bench/recorded.h"
-#include "core/file.h"
 #include "dermis/error.h"
 #include "unit/bench/made_up.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The built-in head: closed, evenly unwrapped, seamless, the same on every run, and shaped like a head.
-#include "builtin_head/builtin_head.h"
+#include "head/builtin_head/builtin_head.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@
 #include <string_view>
 
 #include "dermis/error.h"
-#include "scene/coverage.h"
-#include "scene/unwrap.h"
+#include "head/scene/surface/coverage.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::scene {
 namespace {
@@ -28,8 +28,8 @@ using glm::vec3;
 
 constexpr int test_map_size = 256;
 
-const Scene& head() {
-  static const Scene scene = builtin_head::make({test_map_size});
+const AssetData& head() {
+  static const AssetData scene = builtin_head::make({test_map_size});
   return scene;
 }
 const Primitive& mesh() { return head().primitives.front(); }
@@ -47,7 +47,7 @@ std::uint64_t fnv(std::uint64_t h, const void* data, std::size_t bytes) {
   return h;
 }
 
-std::uint64_t hash(const Scene& scene) {
+std::uint64_t hash(const AssetData& scene) {
   std::uint64_t h = 14695981039346656037ull;
   for (const Primitive& part : scene.primitives) {
     for (const Vertex& v : part.vertices) {

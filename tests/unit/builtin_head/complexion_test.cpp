@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The skins: their pigments are those of measured groups, and cheek, forehead and lips have those
 // colours.
-#include "builtin_head/complexion.h"
+#include "head/builtin_head/complexion.h"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +10,15 @@
 #include <optional>
 #include <span>
 
-#include "builtin_head/kept.h"
-#include "builtin_head/maps.h"
-#include "builtin_head/parts.h"
-#include "builtin_head/skin.h"
-#include "core/cache.h"
+#include "base/core/cache.h"
+#include "head/builtin_head/kept.h"
+#include "head/builtin_head/maps.h"
+#include "head/builtin_head/parts.h"
+#include "head/builtin_head/skin.h"
 #include "image/colour.h"
-#include "optics/skin_colour.h"
 #include "support/built_in.h"
 #include "support/sanitized.h"
+#include "tissue/optics/skin_colour.h"
 
 namespace dermis::builtin_head {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The head in the cache: the same bits, never those of another code or size, damage is noticed.
-#include "builtin_head/kept.h"
+#include "head/builtin_head/kept.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <fstream>
 
-#include "builtin_head/builtin_head.h"
+#include "head/builtin_head/builtin_head.h"
 
 namespace dermis::builtin_head {
 namespace {
@@ -24,8 +24,8 @@ class Kept : public testing::Test {
   fs::path file() const { return kept_file(folder_, Tone::medium, 64); }
 
   /// Puts the file of a head that was just made into the folder, and returns that head.
-  const scene::Scene& keep_one() const {
-    static const scene::Scene head = make({.map_size = 64, .cache = folder_});
+  const scene::AssetData& keep_one() const {
+    static const scene::AssetData head = make({.map_size = 64, .cache = folder_});
     static const std::optional<Baked> baked = kept(file(), 64);
     if (baked) keep(file(), *baked);
     return head;
@@ -34,7 +34,7 @@ class Kept : public testing::Test {
   fs::path folder_;
 };
 
-void expect_equal(const scene::Scene& a, const scene::Scene& b) {
+void expect_equal(const scene::AssetData& a, const scene::AssetData& b) {
   ASSERT_EQ(a.images.size(), b.images.size());
   for (std::size_t k = 0; k < a.images.size(); ++k)
     EXPECT_TRUE(a.images[k].pixels->rgba == b.images[k].pixels->rgba) << a.images[k].name;
@@ -51,24 +51,24 @@ void expect_equal(const scene::Scene& a, const scene::Scene& b) {
 }
 
 TEST_F(Kept, TheHeadOfTheCacheHasTheSameBits) {
-  const scene::Scene& made = keep_one();
+  const scene::AssetData& made = keep_one();
   ASSERT_TRUE(fs::exists(file()));
   expect_equal(make({.map_size = 64, .cache = folder_}), made);
   expect_equal(make({.map_size = 64}), made);
 }
 
 TEST_F(Kept, ItIsReadNotMadeAgain) {
-  const scene::Scene& made = keep_one();
+  const scene::AssetData& made = keep_one();
   std::optional<Baked> baked = kept(file(), 64);
   ASSERT_TRUE(baked);
   baked->maps.colour.rgba[0] ^= 1;
   keep(file(), *baked);
-  const scene::Scene changed = make({.map_size = 64, .cache = folder_});
+  const scene::AssetData changed = make({.map_size = 64, .cache = folder_});
   EXPECT_EQ(changed.images[0].pixels->rgba[0] ^ 1, made.images[0].pixels->rgba[0]);
 }
 
 TEST_F(Kept, DamageAndOtherSizesAreMadeAgain) {
-  const scene::Scene& made = keep_one();
+  const scene::AssetData& made = keep_one();
   EXPECT_FALSE(kept(file(), 128));
   const auto size = fs::file_size(file());
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tile of relief below a texel of the maps: no seam where it repeats, level, and of unit normals.
-#include "builtin_head/microrelief.h"
+#include "head/builtin_head/microrelief.h"
 
 #include <gtest/gtest.h>
 

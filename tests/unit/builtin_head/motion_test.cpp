@@ -6,22 +6,22 @@
 #include <algorithm>
 #include <string_view>
 
-#include "builtin_head/builtin_head.h"
-#include "builtin_head/openings.h"
-#include "scene/rig.h"
+#include "head/builtin_head/builtin_head.h"
+#include "head/builtin_head/openings.h"
+#include "head/scene/rig/rig.h"
 #include "support/built_in.h"
 
 namespace dermis::builtin_head {
 namespace {
 
+using scene::AssetData;
 using scene::Pose;
-using scene::Scene;
 
-const Scene& head() { return tests::built_in_head(); }
+const AssetData& head() { return tests::built_in_head(); }
 const scene::Rig& rig() { return *head().rig; }
 
-Scene posed(const Pose& pose) {
-  Scene moved = head();
+AssetData posed(const Pose& pose) {
+  AssetData moved = head();
   scene::take_pose(rig(), scene::posed(rig(), pose, "built-in"), moved);
   return moved;
 }
@@ -40,18 +40,18 @@ Pose with_weight(std::string_view name, double weight) {
 }
 
 // A node of the skin's net, mm.
-vec3 node(const Scene& scene, int column, int row) {
+vec3 node(const AssetData& scene, int column, int row) {
   const auto k = static_cast<std::size_t>(row * (Openings::columns + 1) + column);
   return scene.primitives.front().vertices[k].position_m * 1000.0f;
 }
 
 // Height of an opening in its middle, mm.
-float gap(const Scene& scene, const Opening& o, bool left = true) {
+float gap(const AssetData& scene, const Opening& o, bool left = true) {
   const int middle = (o.from + o.to) / 2, column = left ? middle : Openings::columns - middle;
   return node(scene, column, o.middle + Openings::half).y - node(scene, column, o.middle - Openings::half).y;
 }
 
-float furthest(const Scene& a, const Scene& b) {
+float furthest(const AssetData& a, const AssetData& b) {
   float most = 0;
   for (std::size_t p = 0; p < a.primitives.size(); ++p) {
     for (std::size_t v = 0; v < a.primitives[p].vertices.size(); ++v) {
@@ -66,7 +66,7 @@ TEST(Motion, AtRestNothingMoves) { EXPECT_LT(furthest(posed(rig().rest), head())
 
 TEST(Motion, ABlinkClosesItsOwnEye) {
   ASSERT_GT(gap(head(), Openings::eye), 9);
-  const Scene left = posed(with_weight("blink left", 1)), right = posed(with_weight("blink right", 1));
+  const AssetData left = posed(with_weight("blink left", 1)), right = posed(with_weight("blink right", 1));
   EXPECT_LT(gap(left, Openings::eye, true), 1.5f);
   EXPECT_GT(gap(left, Openings::eye, false), 9);
   EXPECT_LT(gap(right, Openings::eye, false), 1.5f);
@@ -75,14 +75,14 @@ TEST(Motion, ABlinkClosesItsOwnEye) {
 
 TEST(Motion, TheMouthOpensSmilesAndPurses) {
   constexpr Opening mouth = Openings::mouth;
-  const auto width = [&](const Scene& scene) {
+  const auto width = [&](const AssetData& scene) {
     return node(scene, mouth.to, mouth.middle).x - node(scene, mouth.from, mouth.middle).x;
   };
-  const auto corner = [&](const Scene& scene) { return node(scene, mouth.to, mouth.middle).y; };
+  const auto corner = [&](const AssetData& scene) { return node(scene, mouth.to, mouth.middle).y; };
   EXPECT_LT(gap(head(), mouth), 1);
 
   EXPECT_GT(gap(posed(with_weight("jaw open", 1)), mouth), 14);
-  const Scene smile = posed(with_weight("smile", 1)), pucker = posed(with_weight("pucker", 1));
+  const AssetData smile = posed(with_weight("smile", 1)), pucker = posed(with_weight("pucker", 1));
   EXPECT_GT(width(smile), width(head()) + 6);
   EXPECT_GT(corner(smile), corner(head()) + 3);
   EXPECT_LT(width(pucker), width(head()) - 8);
@@ -90,7 +90,7 @@ TEST(Motion, TheMouthOpensSmilesAndPurses) {
 }
 
 TEST(Motion, OnlyLowerTeethFollowTheJaw) {
-  const Scene open = posed(with_weight("jaw open", 1));
+  const AssetData open = posed(with_weight("jaw open", 1));
   for (std::size_t p = 0; p < open.primitives.size(); ++p) {
     const auto& now = open.primitives[p].vertices;
     const auto& before = head().primitives[p].vertices;

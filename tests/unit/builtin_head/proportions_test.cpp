@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
-#include "builtin_head/anthropometry.h"
-#include "builtin_head/builtin_head.h"
-#include "builtin_head/openings.h"
-#include "builtin_head/sculpture.h"
+#include "head/builtin_head/anthropometry.h"
+#include "head/builtin_head/builtin_head.h"
+#include "head/builtin_head/openings.h"
+#include "head/builtin_head/sculpture.h"
 #include "support/built_in.h"
 
 namespace dermis::builtin_head {

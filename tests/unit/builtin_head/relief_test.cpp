@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pores, furrows and wrinkles: as many, as deep and in the directions that are published; oil, drought and
 // wetness where they belong; shortcuts that change nothing.
-#include "builtin_head/relief.h"
+#include "head/builtin_head/relief.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "builtin_head/skin.h"
+#include "head/builtin_head/skin.h"
 
 namespace dermis::builtin_head {
 namespace {

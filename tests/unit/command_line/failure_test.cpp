@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/assert.h"
-#include "core/error.h"
+#include "base/core/assert.h"
+#include "base/core/error.h"
 #include "dermis/hooks.h"
 
 namespace dermis::cli {

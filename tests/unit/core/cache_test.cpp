@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kept files: damage is noticed, the folder stays within its limit, several processes may share it.
-#include "core/cache.h"
+#include "base/core/cache.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/error.h"
-#include "core/file.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
 #include "support/full_disk.h"
 #include "support/log_lines.h"
 

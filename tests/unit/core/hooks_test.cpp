@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each call has its own log and progress, whichever thread works for it, and can be ended.
-#include "core/hooks.h"
+#include "base/core/hooks.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/log.h"
-#include "core/parallel.h"
+#include "base/core/log.h"
+#include "base/core/parallel.h"
 #include "support/log_lines.h"
 #include "support/thrown.h"
 

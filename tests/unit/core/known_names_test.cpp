@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A slip finds the name that was meant, and nonsense none.
-#include "core/known_names.h"
+#include "base/core/known_names.h"
 
 #include <gtest/gtest.h>
 

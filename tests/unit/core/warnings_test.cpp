@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/warnings.h"
+#include "base/core/warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Boxes of masks that are drawn by hand.
-#include "dataset/boxes.h"
+#include "tools/dataset/boxes.h"
 
 #include <gtest/gtest.h>
 

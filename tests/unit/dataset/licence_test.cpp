@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "dataset/inputs.h"
 #include "support/files.h"
+#include "tools/dataset/inputs.h"
 
 namespace dermis::dataset {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <string>
 
-#include "dataset/exact.h"
-#include "dataset/philox.h"
-#include "dataset/sha256.h"
 #include "dermis/error.h"
 #include "support/files.h"
 #include "support/thrown.h"
+#include "tools/dataset/exact.h"
+#include "tools/dataset/philox.h"
+#include "tools/dataset/sha256.h"
 
 namespace dermis::dataset {
 namespace {

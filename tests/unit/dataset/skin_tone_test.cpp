@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The class of a skin, out of its colour map.
-#include "dataset/skin_tone.h"
+#include "tools/dataset/skin_tone.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "image/codec.h"
 
 namespace dermis::environment {

@@ -12,8 +12,8 @@
 #include "dermis/cancelled.h"
 #include "environment/environment.h"
 #include "environment/prepare/sky_rays.h"
+#include "head/scene/import/primitives.h"
 #include "rays/ray_scene.h"
-#include "scene/primitives.h"
 #include "support/log_lines.h"
 
 namespace dermis::environment {
@@ -21,8 +21,8 @@ namespace {
 
 // A floor of skin in the xy plane, 1 m wide, with a wall of height h along x = -0.5 m (or none): what the
 // floor sees is known.
-scene::Scene floor_with_wall(double height_m) {
-  scene::Scene made = scene::plane(1);
+scene::AssetData floor_with_wall(double height_m) {
+  scene::AssetData made = scene::plane(1);
   if (height_m <= 0) return made;
   made.materials.push_back({.name = "wall"});
   scene::Primitive wall{.name = "wall", .material = 1};
@@ -42,7 +42,7 @@ const float* texel(const Occlusion& o, int x, int y) {
 
 TEST(Occlusion, BesideAWallIsTheFormFactor) {
   for (const double height : {0.1, 0.5}) {
-    const scene::Scene scene = floor_with_wall(height);
+    const scene::AssetData scene = floor_with_wall(height);
     const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
     for (int x = 2; x < 62; x += 5) {
       const double d = (x + 0.5) / 64, exact = 1 - 0.5 * (1 - d / std::sqrt(d * d + height * height));
@@ -56,8 +56,8 @@ TEST(Occlusion, BesideAWallIsTheFormFactor) {
 }
 
 TEST(Occlusion, NothingInTheWayIsOpen) {
-  const scene::Scene flat = floor_with_wall(0), round = scene::sphere(0.1, 24);
-  for (const scene::Scene* scene : {&flat, &round}) {
+  const scene::AssetData flat = floor_with_wall(0), round = scene::sphere(0.1, 24);
+  for (const scene::AssetData* scene : {&flat, &round}) {
     const Occlusion o = bake_occlusion(*scene, scene::skin_meshes(*scene)[0], {.side = 96, .rays = 32});
     for (std::size_t i = 0; i < o.values.size(); i += 4) {
       EXPECT_EQ(o.values[i + 3], 1.0f);
@@ -73,7 +73,7 @@ TEST(Occlusion, NothingInTheWayIsOpen) {
 // A sky that is brighter towards +x, or -x, or above: what is left of it beside the wall, against a sum over
 // fine steps.
 TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
-  const scene::Scene scene = floor_with_wall(0.5);
+  const scene::AssetData scene = floor_with_wall(0.5);
   const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
 
   const auto radiance = [](const glm::dvec3& d) { return glm::dvec3(1 + d.x, 1 - d.x, 0.5 + d.z * d.z); };
@@ -110,8 +110,8 @@ TEST(Occlusion, SkyLightKnowsWhereTheWallStands) {
 
 /// Two strips of skin that meet at a right angle along the y axis: a floor and a wall, each 1 m wide, on one
 /// half of the unwrap each.
-scene::Scene corner() {
-  scene::Scene made = scene::plane(1);
+scene::AssetData corner() {
+  scene::AssetData made = scene::plane(1);
   scene::Primitive& p = made.primitives.front();
   p.vertices.clear(), p.indices.clear();
   for (int k = 0; k < 2; ++k)
@@ -130,7 +130,7 @@ scene::Scene corner() {
 // White skin in white surroundings is white, whatever hides what; and in a corner the floor at a distance d
 // sees the wall, whose share of the sky is known.
 TEST(Occlusion, WhatHidesTheSkySendsItOn) {
-  const scene::Scene scene = corner();
+  const scene::AssetData scene = corner();
   const Occlusion o = bake_occlusion(scene, scene::skin_meshes(scene)[0], {.side = 64, .rays = 256});
 
   SkyHarmonics white{};
@@ -162,7 +162,7 @@ TEST(Occlusion, WhatHidesTheSkySendsItOn) {
 TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "dermis_occlusion_cache";
   std::filesystem::remove_all(folder);
-  const scene::Scene scene = floor_with_wall(0.3);
+  const scene::AssetData scene = floor_with_wall(0.3);
   const scene::SkinMesh mesh = scene::skin_meshes(scene)[0];
   const OcclusionSettings settings{.side = 32, .rays = 16};
   const Occlusion first = cached_occlusion(scene, mesh, folder, settings);
@@ -192,7 +192,7 @@ TEST(Occlusion, IsKeptOnDiskAndCheckedWhenRead) {
   EXPECT_EQ(cached_occlusion(scene, mesh, folder, settings).values, first.values);
   EXPECT_EQ(said.all.size(), 3u);
 
-  const scene::Scene other = floor_with_wall(0.2);
+  const scene::AssetData other = floor_with_wall(0.2);
   EXPECT_NE(cached_occlusion(other, scene::skin_meshes(other)[0], folder, settings).values, first.values);
   std::filesystem::remove_all(folder);
 }
@@ -227,7 +227,7 @@ TEST(Occlusion, ManyMeshesShareTheTexels) {
 TEST(Occlusion, ABakeIsWatchedAndStopped) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "dermis_stopped_bake";
   std::filesystem::remove_all(folder);
-  const scene::Scene scene = floor_with_wall(0.3);
+  const scene::AssetData scene = floor_with_wall(0.3);
   const scene::SkinMesh mesh = scene::skin_meshes(scene)[0];
   const OcclusionSettings settings{.side = 32, .rays = 8};
   std::vector<double> shares;
@@ -258,7 +258,7 @@ TEST(Occlusion, ABakeIsWatchedAndStopped) {
 
 // Embree asks while it builds, so that a scene of millions of triangles need not be sorted to the end.
 TEST(RayScene, IsEndedWhileItSortsTriangles) {
-  const scene::Scene scene = scene::sphere(1, 60);
+  const scene::AssetData scene = scene::sphere(1, 60);
   int told = 0;
   {
     const HookScope scope(Hooks{.progress = [&](const WorkProgress& work) {

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "head/scene/import/primitives.h"
+#include "head/scene/placement.h"
 #include "rays/ray_scene.h"
 #include "rays/surface_point.h"
-#include "scene/placement.h"
-#include "scene/primitives.h"
 
 namespace dermis::rays {
 namespace {
 
-scene::Scene balls(AssetAlpha alpha) {
-  scene::Scene made = scene::sphere(0.5, 3);
+scene::AssetData balls(AssetAlpha alpha) {
+  scene::AssetData made = scene::sphere(0.5, 3);
   made.materials[0].skin = false;
   made.materials[0].alpha_mode = alpha;
   for (int i = 0; i < 6; ++i) {
@@ -29,8 +29,8 @@ scene::Scene balls(AssetAlpha alpha) {
 
 TEST(PlacedRays, HitTheSamePointsAsMeshesOfTheirOwn) {
   for (const AssetAlpha alpha : {AssetAlpha::opaque, AssetAlpha::mask}) {
-    const scene::Scene shared = balls(alpha);
-    scene::Scene distinct = shared;
+    const scene::AssetData shared = balls(alpha);
+    scene::AssetData distinct = shared;
     distinct.primitives = scene::written_out(shared);
     const RayScene a(shared), b(distinct);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Harmonics turned as the device does it, in doubles, against their values at directions turned back.
-#include "shared/turned_harmonics.h"
+#include "render/shared/turned_harmonics.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "environment/harmonics.h"
 #include "environment/texel_grid.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::environment {
 namespace {
@@ -81,7 +81,7 @@ TEST(TurnedHarmonics, QuarterTurnTakesUpToTheFront) {
 
 // Each texel that the bake fills from its neighbours has a point of the mesh, no further than the rings are.
 TEST(TexelGrid, IsDilatedByThePointsOfNeighbours) {
-  const scene::Scene scene = scene::plane(0.05, glm::dmat2(0.5), {0.25, 0.25}, 4);
+  const scene::AssetData scene = scene::plane(0.05, glm::dmat2(0.5), {0.25, 0.25}, 4);
   const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(scene);
   const TexelGrid grid = rasterise(meshes.front(), 64), wide = dilated(grid);
   int covered = 0, added = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/alpha_max.h"
+#include "render/passes/asset/alpha_max.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How large light maps are, and which terms they hold, from the density of the scan: 1.36 texels per mm on
 // average of a map of 1024, 2.5 where it is dense.
-#include "techniques/mapped_terms.h"
+#include "render/techniques/mapped_terms.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-#include "gaussians/known.h"
-#include "techniques/map_side.h"
+#include "render/techniques/map_side.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::techniques::test {
 namespace {
@@ -47,11 +47,11 @@ TEST(MapSide, HoldsTheWideTerms) {
   EXPECT_EQ(like_the_scan(32).skin[0].first_mapped, 5u) << "a map has a term";
 
   // A scan four times as large, in mm, has four times fewer texels per mm.
-  SkinPart coarse = s.skin[0];
+  SkinMesh coarse = s.skin[0];
   coarse.mean_uv_per_mm /= 4;
   EXPECT_EQ(near_side(coarse, 4096), 2048u);
   // Light that spreads no further than 0.3 mm is on maps, too.
-  SkinPart wax = s.skin[0];
+  SkinMesh wax = s.skin[0];
   wax.profile.terms = {{.variance_mm2 = 0.09, .weight = {1, 1, 1}}};
   wax.wide_mm = 0.15;
   EXPECT_EQ(near_side(wax, 4096), 3072u);

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <map>
 
-#include "gaussians/known.h"
 #include "hazards.h"
-#include "passes/labels/labels_io.h"
+#include "render/passes/pixels/labels/labels_io.h"
+#include "render/techniques/memory.h"
+#include "render/techniques/technique.h"
 #include "support/sanitized.h"
-#include "techniques/memory.h"
-#include "techniques/technique.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::frame::test {
 namespace {

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.h"
-#include "gaussians/json.h"
-#include "gaussians/known.h"
+#include "base/core/error.h"
+#include "tissue/gaussians/json.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::gaussians {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kernels as files: each form has the same numbers, in the unit that it names.
-#include "gaussians/kernel_export.h"
+#include "tissue/gaussians/kernel_export.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/error.h"
-#include "gaussians/known.h"
-#include "gaussians/pre_integrated.h"
-#include "gaussians/screen_kernels.h"
+#include "base/core/error.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/pre_integrated.h"
+#include "tissue/gaussians/screen_kernels.h"
 
 namespace dermis::gaussians {
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
-#include "core/error.h"
-#include "gaussians/known.h"
+#include "base/core/error.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::gaussians {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "gaussians/known.h"
-#include "gaussians/one.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/gaussians/one.h"
 
 namespace dermis::gaussians {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Pre-integrated scattering against tables and closed forms.
-#include "gaussians/pre_integrated.h"
+#include "tissue/gaussians/pre_integrated.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "gaussians/known.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::gaussians {
 namespace {

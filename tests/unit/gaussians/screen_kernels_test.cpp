@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The kernels of techniques in screen space against published digits and closed forms.
-#include "gaussians/screen_kernels.h"
+#include "tissue/gaussians/screen_kernels.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "gaussians/known.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::gaussians {
 namespace {

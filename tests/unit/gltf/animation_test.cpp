@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "head/scene/placement.h"
+#include "head/scene/rig/animation.h"
 #include "posed_by_hand.h"
-#include "scene/animation.h"
-#include "scene/placement.h"
 #include "support.h"
 #include "support/sanitized.h"
 
@@ -77,7 +77,7 @@ double distance(const glm::dvec3& a, const PosedByHand::Point& b) {
 }
 
 Compared compare(const fs::path& file, const PosedByHand& by_hand, double seconds) {
-  const Scene scene = load_gltf(file, {.time_s = seconds}), rest = load_gltf(file);
+  const AssetData scene = load_gltf(file, {.time_s = seconds}), rest = load_gltf(file);
   const auto expected = by_hand.positions_m(0, seconds);
   Compared c;
   glm::dvec3 low(1e9), high(-1e9);

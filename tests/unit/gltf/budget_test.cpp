@@ -11,8 +11,8 @@
 #include <exception>
 #include <memory>
 
+#include "head/scene/import/texture_budget.h"
 #include "image/codec.h"
-#include "scene/texture_budget.h"
 #include "support.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -65,7 +65,7 @@ double peak_mb(const fs::path& file, const LoadOptions& options, const Check& ch
     long grown = -1;
     try {
       const long before = peak_kib();
-      const Scene scene = load_gltf(file, options);
+      const AssetData scene = load_gltf(file, options);
       grown = check(scene) ? peak_kib() - before : -1;
     } catch (const std::exception&) {}
     const bool told = ::write(ends[1], &grown, sizeof grown) == sizeof grown;
@@ -102,14 +102,14 @@ TEST(TextureBudget, TheLargestMapsAreHalvedAndOneNoteSaysSo) {
   const fs::path file = with_maps(2).write(folder.path());
   {
     const Warnings lines;
-    const Scene scene = load_gltf(file, {.texture_budget_mb = 6});
+    const AssetData scene = load_gltf(file, {.texture_budget_mb = 6});
     EXPECT_EQ(scene.images[0].pixels->width, 512);
     EXPECT_FALSE(lines.any_with("texture_budget_mb"));
   }
 
   // 3.8 + 1.2 MB: the first to a quarter.
   const Warnings lines;
-  const Scene scene = load_gltf(file, {.texture_budget_mb = 3});
+  const AssetData scene = load_gltf(file, {.texture_budget_mb = 3});
   ASSERT_EQ(scene.images.size(), 2u);
   EXPECT_EQ(scene.images[0].pixels->width, 256);
   EXPECT_EQ(scene.images[1].pixels->width, 512);
@@ -133,7 +133,7 @@ TEST(TextureBudget, APictureThatIsColourAndDataIsHalvedForEach) {
   const Warnings lines;
   EXPECT_EQ(load_gltf(file).images.size(), 1u) << "of full size it serves for both";
 
-  const Scene scene = load_gltf(file, {.texture_budget_mb = 1});
+  const AssetData scene = load_gltf(file, {.texture_budget_mb = 1});
   ASSERT_EQ(scene.images.size(), 2u);
   const Material& material = scene.materials[0];
   const auto& colour = *scene.images[static_cast<std::size_t>(material.base_colour_map.image)].pixels;
@@ -165,7 +165,7 @@ TEST(TextureBudget, TheLargePictureIsNeverInMemory) {
   write_text(folder.path() / "map0.png", one_bit_png(8192, 4096));
   const fs::path file = with_maps(1).write(folder.path());
   EXPECT_LT(peak_mb(file, {.texture_budget_mb = 40},
-                    [](const Scene& scene) { return scene.images[0].pixels->width == 2048; }),
+                    [](const AssetData& scene) { return scene.images[0].pixels->width == 2048; }),
             60);
 }
 
@@ -188,14 +188,14 @@ TEST(TextureBudget, APictureIsHeldOnceHoweverManyImagesNameIt) {
   write_text(folder.path() / "map9.png", one_bit_png(64, 16));
 
   const fs::path file = b.write(folder.path());
-  const Scene scene = load_gltf(file);
+  const AssetData scene = load_gltf(file);
   ASSERT_EQ(scene.materials.size(), 40u);
   ASSERT_EQ(scene.images.size(), 2u);
   for (std::size_t i = 0; i < 40; ++i)
     EXPECT_EQ(scene.materials[i].base_colour_map.image, i == 9 ? 1 : 0) << i;
   EXPECT_EQ(scene.images[1].pixels->height, 16);
 
-  const Scene again = load_gltf(file);
+  const AssetData again = load_gltf(file);
   EXPECT_EQ(again.images[0].pixels, scene.images[0].pixels);
   EXPECT_EQ(again.images[1].pixels, scene.images[1].pixels);
 }
@@ -215,7 +215,7 @@ TEST(MemoryOfAFile, IsAMultipleOfItsBytesAndVertices) {
   const TempFolder folder;
   const auto expect_within = [&](const Builder& b, const char* what, double vertices) {
     const fs::path file = b.write(folder.path());
-    const double peak = peak_mb(file, {}, [](const Scene&) { return true; });
+    const double peak = peak_mb(file, {}, [](const AssetData&) { return true; });
     EXPECT_LT(peak, most_mb(file, vertices)) << what << " of " << fs::file_size(file) << " bytes";
   };
   const auto many = [](const char* member, const Json& value, std::size_t count) {
@@ -279,7 +279,7 @@ TEST(MemoryOfAFile, CopiesOfVerticesAreLimitedByTheBytesOfTheFile) {
 #ifndef DERMIS_SANITIZED
   const TempFolder folder;
   const fs::path file = b.write(folder.path());
-  EXPECT_LT(peak_mb(file, {}, [](const Scene&) { return true; }), most_mb(file, 40.0 * count));
+  EXPECT_LT(peak_mb(file, {}, [](const AssetData&) { return true; }), most_mb(file, 40.0 * count));
 #endif
 }
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "scene/placement.h"
+#include "head/scene/placement.h"
 #include "support.h"
 
 namespace dermis::scene::test {
@@ -34,7 +34,7 @@ void try_to_load(const fs::path& root, Entry& entry) {
   const auto start = std::chrono::steady_clock::now();
   const Warnings quiet;
   try {
-    const Scene scene = load_gltf(root / entry.file);
+    const AssetData scene = load_gltf(root / entry.file);
     std::size_t triangles = 0;
     for (const Primitive& p : scene.primitives) triangles += copies_of(p) * p.indices.size() / 3;
     entry.loads = true;

@@ -58,7 +58,7 @@ TEST(GltfNodes, HierarchyAndUnitScale) {
   b.json["scenes"][0]["nodes"] = {1};
   LoadOptions options;
   options.unit_scale = 0.1;
-  const Scene scene = b.load(options);
+  const AssetData scene = b.load(options);
   expect_near(scene.primitives[0].vertices[0].position_m, {0, 0.1f, 0.5f});
   expect_near(scene.primitives[0].vertices[1].position_m, {0, 0.12f, 0.5f});
 }

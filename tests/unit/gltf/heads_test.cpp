@@ -4,14 +4,14 @@
 #include <cmath>
 #include <set>
 
-#include "scene/placement.h"
+#include "head/scene/placement.h"
 #include "support.h"
 
 namespace dermis::scene::test {
 
 namespace {
 
-std::size_t triangles(const Scene& scene) {
+std::size_t triangles(const AssetData& scene) {
   std::size_t count = 0;
   for (const Primitive& p : scene.primitives) count += copies_of(p) * p.indices.size() / 3;
   return count;
@@ -20,7 +20,7 @@ std::size_t triangles(const Scene& scene) {
 struct Box {
   glm::vec3 low{1e9f}, high{-1e9f};
 };
-Box box(const Scene& scene) {
+Box box(const AssetData& scene) {
   Box b;
   for (const Primitive& p : written_out(scene))
     for (const Vertex& v : p.vertices) {
@@ -30,7 +30,7 @@ Box box(const Scene& scene) {
   return b;
 }
 
-void expect_sound(const Scene& scene) {
+void expect_sound(const AssetData& scene) {
   for (const Primitive& p : written_out(scene)) {
     ASSERT_FALSE(p.indices.empty());
     for (const std::uint32_t i : p.indices) ASSERT_LT(i, p.vertices.size());
@@ -44,7 +44,7 @@ void expect_sound(const Scene& scene) {
 }
 
 /// Part of the area whose winding agrees with the vertex normals.
-double outward_part(const Scene& scene) {
+double outward_part(const AssetData& scene) {
   double good = 0, all = 0;
   for (const Primitive& p : written_out(scene))
     for (std::size_t i = 0; i < p.indices.size(); i += 3) {
@@ -59,7 +59,7 @@ double outward_part(const Scene& scene) {
 }
 
 /// The largest distance of a corner in one scene to the corner at the same place in the list of the other.
-float largest_difference_m(const Scene& a, const Scene& b) {
+float largest_difference_m(const AssetData& a, const AssetData& b) {
   float largest = 0;
   for (std::size_t p = 0; p < a.primitives.size(); ++p)
     for (std::size_t i = 0; i < a.primitives[p].indices.size(); ++i)
@@ -69,7 +69,7 @@ float largest_difference_m(const Scene& a, const Scene& b) {
   return largest;
 }
 
-const Material& skin_of(const Scene& scene) {
+const Material& skin_of(const AssetData& scene) {
   for (const Material& m : scene.materials)
     if (m.skin) return m;
   throw std::runtime_error("no skin");
@@ -127,7 +127,7 @@ TEST(GltfHeads, ScanThroughAManifestThatReadsTheGlb) {
   write_text(folder.path() / "head.gltf", manifest.dump());
 
   const Warnings warnings;
-  const Scene scene = load_gltf(folder.path() / "head.gltf");
+  const AssetData scene = load_gltf(folder.path() / "head.gltf");
   EXPECT_EQ(warnings.all(), "");
   expect_sound(scene);
   EXPECT_EQ(triangles(scene), 17684u);
@@ -156,7 +156,7 @@ TEST(GltfHeads, ScanWithoutManifestWarnsOfItsSize) {
   const fs::path file = *root / "lee-perry-smith" / "LeePerrySmith.glb";
   {
     const Warnings warnings;
-    const Scene scene = load_gltf(file);
+    const AssetData scene = load_gltf(file);
     EXPECT_TRUE(warnings.any_with("7.945 m high")) << warnings.all();
     EXPECT_TRUE(warnings.any_with("unit_scale"));
     EXPECT_TRUE(scene.materials[0].skin);  // the only material
@@ -172,7 +172,7 @@ TEST(GltfHeads, MakeHumanPeopleAreWholeCharacters) {
   DERMIS_NEED_ASSETS(root);
   for (const char* name : {"mh-african-man-young.glb", "mh-asian-woman-young-sub1.glb"}) {
     const Warnings warnings;
-    const Scene scene = load_gltf(*root / "makehuman" / name);
+    const AssetData scene = load_gltf(*root / "makehuman" / name);
     EXPECT_EQ(warnings.all(), "") << name;
     expect_sound(scene);
     ASSERT_EQ(scene.materials.size(), 4u);
@@ -189,7 +189,7 @@ TEST(GltfHeads, MakeHumanPeopleAreWholeCharacters) {
 TEST(GltfHeads, IctFaceIsSoundWithoutMaps) {
   DERMIS_NEED_ASSETS(root);
   const Warnings warnings;
-  const Scene scene = load_gltf(*root / "ict-facekit" / "ict-mean-animated.glb");
+  const AssetData scene = load_gltf(*root / "ict-facekit" / "ict-mean-animated.glb");
   EXPECT_EQ(warnings.all(), "");
   expect_sound(scene);
   EXPECT_EQ(triangles(scene), 48836u);
@@ -201,18 +201,18 @@ TEST(GltfHeads, CompressedAndQuantizedHeadsAreTheSameHead) {
   DERMIS_NEED_ASSETS(root);
   const fs::path variants = *root / "gltf-valid" / "head-variants";
   const Warnings quiet;
-  const Scene plain = load_gltf(*root / "makehuman" / "mh-asian-woman-young.glb");
-  const Scene quantized = load_gltf(variants / "head-anim-quantized.glb");
-  const Scene meshopt = load_gltf(variants / "head-anim-meshopt-quantized.glb");
-  const Scene embedded = load_gltf(variants / "head-embedded-datauri.gltf");
-  const Scene draco = load_gltf(variants / "head-draco.glb");
+  const AssetData plain = load_gltf(*root / "makehuman" / "mh-asian-woman-young.glb");
+  const AssetData quantized = load_gltf(variants / "head-anim-quantized.glb");
+  const AssetData meshopt = load_gltf(variants / "head-anim-meshopt-quantized.glb");
+  const AssetData embedded = load_gltf(variants / "head-embedded-datauri.gltf");
+  const AssetData draco = load_gltf(variants / "head-draco.glb");
 
-  for (const Scene* s : {&quantized, &meshopt, &embedded, &draco}) expect_sound(*s);
+  for (const AssetData* s : {&quantized, &meshopt, &embedded, &draco}) expect_sound(*s);
   ASSERT_EQ(triangles(quantized), triangles(plain));
   ASSERT_EQ(triangles(meshopt), triangles(plain));
 
   // 16 bits over 0.3 m are 5 um.
-  for (const Scene* s : {&quantized, &meshopt}) {
+  for (const AssetData* s : {&quantized, &meshopt}) {
     EXPECT_NEAR(glm::distance(box(*s).low, box(plain).low), 0, 2e-5f);
     EXPECT_NEAR(glm::distance(box(*s).high, box(plain).high), 0, 2e-5f);
   }
@@ -227,8 +227,8 @@ TEST(GltfHeads, NamesWithSpacesAndUnicodeAreFound) {
   DERMIS_NEED_ASSETS(root);
   const fs::path folder = *root / "gltf-valid" / "head-variants" / "unicode and spaces";
   const Warnings quiet;
-  const Scene escaped = load_gltf(folder / "t\u00eate \u982d.gltf");
-  const Scene plain = load_gltf(folder / "unescaped-uris.gltf");
+  const AssetData escaped = load_gltf(folder / "t\u00eate \u982d.gltf");
+  const AssetData plain = load_gltf(folder / "unescaped-uris.gltf");
   EXPECT_EQ(escaped.images.size(), 2u);
   EXPECT_EQ(largest_difference_m(escaped, plain), 0);
 }
@@ -236,7 +236,8 @@ TEST(GltfHeads, NamesWithSpacesAndUnicodeAreFound) {
 TEST(GltfHeads, MirroredInstancesAreWoundOutwards) {
   DERMIS_NEED_ASSETS(root);
   const Warnings quiet;
-  const Scene scene = load_gltf(*root / "gltf-valid" / "head-variants" / "head-instanced-mirrored-deep.glb");
+  const AssetData scene =
+      load_gltf(*root / "gltf-valid" / "head-variants" / "head-instanced-mirrored-deep.glb");
   expect_sound(scene);
   const std::vector<Primitive> all = written_out(scene);
   EXPECT_EQ(all.size(), 8u);
@@ -249,7 +250,7 @@ TEST(GltfHeads, MirroredInstancesAreWoundOutwards) {
 TEST(GltfHeads, MissingNormalsAreMade) {
   DERMIS_NEED_ASSETS(root);
   const Warnings quiet;
-  const Scene scene = load_gltf(*root / "gltf-valid" / "head-variants" / "head-no-normals.glb");
+  const AssetData scene = load_gltf(*root / "gltf-valid" / "head-variants" / "head-no-normals.glb");
   expect_sound(scene);
   EXPECT_GT(outward_part(scene), 0.99);
 }
@@ -257,7 +258,7 @@ TEST(GltfHeads, MissingNormalsAreMade) {
 TEST(GltfHeads, LightsAndCameraStandInTheWorld) {
   DERMIS_NEED_ASSETS(root);
   const Warnings quiet;
-  const Scene scene =
+  const AssetData scene =
       load_gltf(*root / "gltf-valid" / "head-variants" / "head-lights-camera-specular-ior.glb");
   ASSERT_EQ(scene.lights.size(), 3u);
   ASSERT_EQ(scene.cameras.size(), 1u);
@@ -269,7 +270,7 @@ TEST(GltfHeads, LightsAndCameraStandInTheWorld) {
 TEST(GltfHeads, TextureTransformsAreThoseOfItsTestModel) {
   DERMIS_NEED_ASSETS(root);
   const Warnings quiet;
-  const Scene scene =
+  const AssetData scene =
       load_gltf(*root / "gltf-valid" / "assimp" / "textureTransform" / "TextureTransformTest.gltf");
   for (const Material& m : scene.materials) {
     // Where the model's "correct" marks stand on the quads (their nodes), the arrow's picture must be on its

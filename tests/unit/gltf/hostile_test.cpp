@@ -127,7 +127,7 @@ TEST(GltfHostile, NumbersThatAreNone) {
     normal.triangle();
     normal.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
         normal.accessor({0, 0, bad, 0, 0, 0, 0, 0, 5}, "VEC3");
-    const Scene made = normal.load();
+    const AssetData made = normal.load();
     for (const Vertex& v : made.primitives[0].vertices) EXPECT_EQ(v.normal, glm::vec3(0, 0, 1));
   }
 

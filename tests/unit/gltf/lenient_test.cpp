@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "scene/rig.h"
+#include "head/scene/rig/rig.h"
 #include "support.h"
 
 namespace dermis::scene::test {
@@ -13,7 +13,7 @@ namespace {
 
 /// A triangle of skin; `warning` is what loading it after `bend` says.
 struct Drawn {
-  Scene scene;
+  AssetData scene;
   std::string warnings;
 };
 
@@ -25,7 +25,7 @@ Drawn drawn(const Bend& bend, const LoadOptions& options = {}) {
   b.json["meshes"][0]["primitives"][0]["material"] = 0;
   bend(b);
   const Warnings warnings;
-  Scene scene = b.load(options);
+  AssetData scene = b.load(options);
   return {std::move(scene), warnings.all()};
 }
 
@@ -249,7 +249,7 @@ TEST(GltfLenient, VerticesWithoutWeightHangOnTheirFirstJoint) {
     expect_near(made.scene.primitives[0].vertices[1].position_m, place);
     EXPECT_NE(made.warnings.find(warning), std::string::npos) << made.warnings;
     ASSERT_TRUE(made.scene.rig);
-    Scene again = made.scene;
+    AssetData again = made.scene;
     take_pose(*again.rig, posed(*again.rig, again.rig->rest, "file"), again);
     expect_near(again.primitives[0].vertices[1].position_m, place);
   };

@@ -29,7 +29,7 @@ Builder with_material(const Json& material) {
 }  // namespace
 
 TEST(GltfMaterial, FactorsMapsAndExtensions) {
-  const Scene scene =
+  const AssetData scene =
       with_material(
           Json::parse(R"({"name": "eye", "alphaMode": "MASK", "alphaCutoff": 0.3, "doubleSided": true,
     "pbrMetallicRoughness": {
@@ -80,10 +80,10 @@ TEST(GltfMaterial, SpecularGlossinessCounts) {
   EXPECT_EQ(plain.roughness, 0.25f);
 
   // The one pixel's alpha is 127.
-  const Scene mapped = with_material(older({{"diffuseTexture", {{"index", 0}}},
-                                            {"glossinessFactor", 0.5},
-                                            {"specularGlossinessTexture", {{"index", 0}}}}))
-                           .load();
+  const AssetData mapped = with_material(older({{"diffuseTexture", {{"index", 0}}},
+                                                {"glossinessFactor", 0.5},
+                                                {"specularGlossinessTexture", {{"index", 0}}}}))
+                               .load();
   const Material& m = mapped.materials[0];
   EXPECT_EQ(m.roughness, 1);
   EXPECT_EQ(mapped.images[static_cast<std::size_t>(m.metallic_roughness_map.image)].pixels->rgba,
@@ -142,10 +142,10 @@ TEST(GltfMaterial, BlendedSkinIsASurface) {
                          {{"name", "skin C"}, {"alphaMode", "BLEND"}},
                          {{"name", "skin D"}, {"alphaMode", "BLEND"}}};
   tests::LogLines said;
-  const Scene scene = b.load();
+  const AssetData scene = b.load();
   LoadOptions by_name;
   by_name.skin_material = {"skin C"};
-  const Scene named = b.load(by_name);
+  const AssetData named = b.load(by_name);
   std::vector<std::string> lines = said.all;
   std::erase_if(lines, [](const std::string& line) { return line.find("BLEND") == std::string::npos; });
 
@@ -209,7 +209,7 @@ TEST(GltfMaterial, SkinRule) {
   }
   b.json["materials"] = {{{"name", "Eye"}}, {{"name", "FaceSkin"}}, {{"name", "Hair"}}};
 
-  const auto skins = [](const Scene& s) {
+  const auto skins = [](const AssetData& s) {
     std::string names;
     for (const Material& m : s.materials) names += m.skin ? m.name + " " : "";
     return names;

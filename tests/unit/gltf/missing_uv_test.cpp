@@ -29,7 +29,7 @@ Builder triangles(const std::vector<std::array<bool, 2>>& has_uv, const std::str
   return b;
 }
 
-const Material& material_of(const Scene& scene, std::size_t primitive) {
+const Material& material_of(const AssetData& scene, std::size_t primitive) {
   return scene.materials.at(static_cast<std::size_t>(scene.primitives.at(primitive).material));
 }
 
@@ -39,7 +39,7 @@ TEST(GltfMissingUv, AMeshKeepsTheMapsThatItHasCoordinatesFor) {
   for (const std::string name : {"skin", "cloth"}) {
     const std::vector<std::array<bool, 2>> has_uv{{false, false}, {true, true}, {true, false}, {false, true}};
     const Warnings warnings;
-    const Scene scene = triangles(has_uv, name).load();
+    const AssetData scene = triangles(has_uv, name).load();
     ASSERT_EQ(scene.primitives.size(), has_uv.size());
     EXPECT_EQ(scene.materials.size(), 4u);
     for (std::size_t i = 0; i < has_uv.size(); ++i) {
@@ -55,7 +55,7 @@ TEST(GltfMissingUv, AMeshKeepsTheMapsThatItHasCoordinatesFor) {
 
 TEST(GltfMissingUv, MapsThatNobodyCanReadAreNotRead) {
   const Warnings quiet;
-  const Scene scene = triangles({{false, false}, {false, false}}, "cloth").load();
+  const AssetData scene = triangles({{false, false}, {false, false}}, "cloth").load();
   EXPECT_EQ(scene.materials.size(), 1u);
   EXPECT_TRUE(scene.images.empty());
 }
@@ -74,7 +74,7 @@ TEST(GltfMissingUv, CoordinatesAtOnePointOrOnALineAreNone) {
 
 TEST(GltfMissingUv, NothingChangesWhereNothingIsMissing) {
   const Warnings warnings;
-  const Scene scene = triangles({{true, true}, {true, true}}, "skin").load();
+  const AssetData scene = triangles({{true, true}, {true, true}}, "skin").load();
   EXPECT_EQ(scene.materials.size(), 1u);
   EXPECT_FALSE(warnings.any_with("left out")) << warnings.all();
 }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "scene/load.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
+#include "head/scene/import/load.h"
 #include "support/assets.h"
 
 namespace dermis::scene {
@@ -20,7 +20,7 @@ class Scan : public ::testing::Test {
     const std::string missing = tests::missing_scan({"Map-SPEC.jpg", "Infinite-Level_02_Tangent_SmoothUV.jpg",
                                                      "Infinite-Level_02_Disp_NoSmoothUV-4096.jpg"});
     if (!missing.empty()) GTEST_SKIP() << missing;
-    static const Scene loaded = load_gltf(tests::scan_manifest());
+    static const AssetData loaded = load_gltf(tests::scan_manifest());
     scene_ = &loaded;
     ASSERT_EQ(scene_->primitives.size(), 1u);
     ASSERT_EQ(scene_->materials.size(), 1u);
@@ -33,7 +33,7 @@ class Scan : public ::testing::Test {
         v.begin(), v.end(), [](const Vertex& a, const Vertex& b) { return a.position_m.z < b.position_m.z; });
   }
 
-  const Scene* scene_ = nullptr;
+  const AssetData* scene_ = nullptr;
 };
 
 TEST_F(Scan, IsAHeadInMetres) {

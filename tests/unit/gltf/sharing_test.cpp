@@ -2,8 +2,8 @@
 // Nodes that share a mesh share its memory; and in the world they stand where they would stand without that.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/framing.h"
-#include "scene/placement.h"
+#include "head/scene/framing.h"
+#include "head/scene/placement.h"
 #include "support.h"
 
 namespace dermis::scene::test {
@@ -48,7 +48,7 @@ Builder prisms(int count, bool distinct, float away = 0, const Json& dermis = {{
   return b;
 }
 
-void expect_same_world(const Scene& shared, const Scene& distinct, float tolerance_m) {
+void expect_same_world(const AssetData& shared, const AssetData& distinct, float tolerance_m) {
   const std::vector<Primitive> all = written_out(shared);
   ASSERT_EQ(all.size(), distinct.primitives.size());
   for (std::size_t p = 0; p < all.size(); ++p) {
@@ -72,7 +72,7 @@ void expect_same_world(const Scene& shared, const Scene& distinct, float toleran
 
 TEST(GltfSharing, ManyNodesOfAMeshAreOnePrimitiveWithPlaces) {
   const Warnings quiet;
-  const Scene scene = prisms(2000, false).load();
+  const AssetData scene = prisms(2000, false).load();
   ASSERT_EQ(scene.primitives.size(), 1u);
   EXPECT_EQ(scene.primitives[0].placements.size(), 2000u);
   EXPECT_EQ(copies_of(scene.primitives[0]), 2000u);
@@ -82,7 +82,7 @@ TEST(GltfSharing, ManyNodesOfAMeshAreOnePrimitiveWithPlaces) {
 
 TEST(GltfSharing, TheWorldIsTheSameAsWithoutSharing) {
   const Warnings quiet;
-  const Scene shared = prisms(7, false).load(), distinct = prisms(7, true).load();
+  const AssetData shared = prisms(7, false).load(), distinct = prisms(7, true).load();
   EXPECT_EQ(shared.primitives.size(), 1u);
   expect_same_world(shared, distinct, 1e-6f);
 
@@ -97,7 +97,7 @@ TEST(GltfSharing, TheWorldIsTheSameAsWithoutSharing) {
 // size step by 0.06 mm, and no rounding may come on top.
 TEST(GltfSharing, AMeshFarFromItsOriginKeepsItsShape) {
   const Warnings quiet;
-  const Scene shared = prisms(3, false, 1000).load();
+  const AssetData shared = prisms(3, false, 1000).load();
   ASSERT_EQ(shared.primitives.size(), 1u);
   for (const Vertex& v : shared.primitives[0].vertices) EXPECT_LT(glm::length(v.position_m), 1);
   expect_same_world(shared, prisms(3, true, 1000).load(), 1e-6f);
@@ -105,7 +105,7 @@ TEST(GltfSharing, AMeshFarFromItsOriginKeepsItsShape) {
 
 TEST(GltfSharing, MirroredPlacesWindOutwards) {
   const Warnings quiet;
-  const Scene scene = prisms(6, false).load();
+  const AssetData scene = prisms(6, false).load();
   const Primitive& p = scene.primitives.at(0);
   for (std::size_t copy = 0; copy < p.placements.size(); ++copy) {
     EXPECT_EQ(p.placements[copy].mirrored, copy % 3 == 1);
@@ -118,7 +118,7 @@ TEST(GltfSharing, MirroredPlacesWindOutwards) {
 
 TEST(GltfSharing, SkinHasAMeshForEachNode) {
   const Warnings quiet;
-  const Scene scene = prisms(5, false, 0, {{"skin", true}}).load();
+  const AssetData scene = prisms(5, false, 0, {{"skin", true}}).load();
   ASSERT_EQ(scene.primitives.size(), 5u);
   for (const Primitive& p : scene.primitives) EXPECT_TRUE(p.placements.empty());
 }
@@ -135,7 +135,7 @@ TEST(GltfSharing, NodesThatMorphHaveMeshesOfTheirOwn) {
   const int delta = b.accessor({0, 0.1f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3");
   b.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   b.json["nodes"][2]["weights"] = {1};
-  const Scene scene = b.load();
+  const AssetData scene = b.load();
   // A pose may give each node weights of its own.
   ASSERT_EQ(scene.primitives.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {

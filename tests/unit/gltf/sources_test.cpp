@@ -2,9 +2,9 @@
 // The way back from a scene, and from its skin meshes, to the primitives and accessors of a file.
 #include <set>
 
-#include "json/document.h"
-#include "scene/gltf/place.h"
-#include "scene/unwrap.h"
+#include "base/json/document.h"
+#include "head/scene/gltf/place.h"
+#include "head/scene/surface/unwrap.h"
 #include "support.h"
 #include "support/thrown.h"
 
@@ -82,7 +82,7 @@ struct Found {
 /// Expects that all that a file's scene says of its sources is so. Shared meshes are only counted.
 Found expect_sources(const fs::path& file) {
   const Warnings quiet;
-  const Scene scene = load_gltf(file);
+  const AssetData scene = load_gltf(file);
   const std::vector<HostMesh> host = host_meshes(file);
   Found found;
   for (const Primitive& primitive : scene.primitives) {
@@ -177,7 +177,7 @@ TEST(GltfSources, ASharedMeshHasOneNumber) {
   EXPECT_EQ(sources_of(b).meshes, (std::set{0, 1}));
 
   const Warnings quiet;
-  const Scene scene = b.load();
+  const AssetData scene = b.load();
   EXPECT_EQ(scene.primitives[1].placements.size(), 2u);
   EXPECT_EQ(scene.primitives[1].source_vertices, (std::vector<std::uint32_t>{3, 4, 5, 9, 10, 11}));
 }

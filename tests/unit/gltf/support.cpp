@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/log.h"
+#include "base/core/log.h"
 
 namespace dermis::scene::test {
 
@@ -95,7 +95,7 @@ fs::path Builder::write(const fs::path& folder, const std::string& name) const {
   return folder / name;
 }
 
-Scene Builder::load(const LoadOptions& options) const {
+AssetData Builder::load(const LoadOptions& options) const {
   const TempFolder folder;
   return load_gltf(write(folder.path()), options);
 }

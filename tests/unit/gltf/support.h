@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "dermis/error.h"
-#include "scene/load.h"
+#include "head/scene/import/load.h"
 #include "support/assets.h"
 #include "support/files.h"
 #include "support/log_lines.h"
@@ -50,7 +50,7 @@ class Builder {
 
   std::string glb() const;
   fs::path write(const fs::path& folder, const std::string& name = "built.glb") const;
-  Scene load(const LoadOptions& options = {}) const;
+  AssetData load(const LoadOptions& options = {}) const;
   /// The one-line error of loading, "" if it loads.
   std::string error(const LoadOptions& options = {}) const;
 

@@ -108,7 +108,7 @@ TEST(GltfViews, CamerasOfBothKinds) {
 
   b.json["cameras"][0]["perspective"]["yfov"] = pi;
   const Warnings warnings;
-  const Scene scene = b.load();
+  const AssetData scene = b.load();
   ASSERT_EQ(scene.cameras.size(), 1u) << "the other is left out";
   EXPECT_EQ(scene.cameras[0].name, "eye");
   EXPECT_TRUE(warnings.any_with("yfov must be less than pi"));

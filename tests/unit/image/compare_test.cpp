@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "image/codec.h"
 #include "image/colour.h"
 #include "image/compare_map.h"

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/error.h"
-#include "core/file.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
 #include "pictures.h"
 
 namespace dermis::image::test {

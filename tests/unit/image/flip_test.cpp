@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/error.h"
+#include "base/core/error.h"
 #include "image/codec.h"
 #include "image/compare_flip.h"
 #include "pictures.h"

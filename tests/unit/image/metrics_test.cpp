@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/error.h"
+#include "base/core/error.h"
 
 namespace dermis::image {
 namespace {

@@ -10,10 +10,10 @@
 #include <limits>
 #include <numbers>
 
-#include "core/error.h"
+#include "base/core/error.h"
+#include "base/settings/names.h"
 #include "image/colour.h"
 #include "image/tone_map.h"
-#include "settings/names.h"
 #include "unit/optics/measured_skin.h"
 
 namespace dermis::image {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Text that is no JSON, or too much of it, is refused before anything is made of it.
-#include "json/document.h"
+#include "base/json/document.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Each value is what its reader expects, or the error says where it stands, what it must be and what it is.
-#include "json/value.h"
+#include "base/json/value.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
-#include "json/document.h"
+#include "base/json/document.h"
 
 namespace dermis::json {
 namespace {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "settings/fields.h"
-#include "settings/json.h"
-#include "setup/frame_setup.h"
+#include "base/settings/fields.h"
+#include "base/settings/json.h"
+#include "render/setup/frame_setup.h"
 #include "support/files.h"
 
 namespace dermis::kit {

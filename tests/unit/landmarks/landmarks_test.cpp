@@ -11,7 +11,7 @@
 
 #include "api/asset_state.h"
 #include "dermis/error.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/assets.h"
 #include "support/files.h"
 #include "support/thrown.h"
@@ -225,7 +225,7 @@ TEST(Landmarks, WhatIsNotTheirsIsRefused) {
   const Landmarks marks = Landmarks::of(head()).value();
   Scene scene;
   const InstanceId id =
-      scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>(scene::plane(0.2)))});
+      scene.add({.asset = Asset::State::make(std::make_shared<const scene::AssetData>(scene::plane(0.2)))});
   EXPECT_NE(thrown<InputError>([&] { marks.positions_m(scene, id); }).find("of another asset"),
             std::string::npos);
   EXPECT_NE(thrown<InputError>([&] { marks.positions_m(scene, InstanceId{99}); }).find("instance 99"),

@@ -8,9 +8,9 @@
 
 #include "api/asset_state.h"
 #include "dermis/error.h"
-#include "landmarks/known.h"
-#include "landmarks/places.h"
-#include "scene/primitives.h"
+#include "head/landmarks/known.h"
+#include "head/landmarks/places.h"
+#include "head/scene/import/primitives.h"
 #include "support/files.h"
 #include "support/thrown.h"
 
@@ -18,7 +18,7 @@ namespace dermis::tests {
 namespace {
 
 const Asset& square() {
-  static const Asset made = Asset::State::make(std::make_shared<const scene::Scene>(scene::plane(0.2)));
+  static const Asset made = Asset::State::make(std::make_shared<const scene::AssetData>(scene::plane(0.2)));
   return made;
 }
 
@@ -28,7 +28,7 @@ std::string point(const std::string& triangle, const std::string& weights) {
 
 // A file of the square, whose first point is this one.
 std::string file_of(const std::string& first, const std::string& mesh = {}, int count = 70) {
-  const scene::Scene& scene = *Asset::State::of(square());
+  const scene::AssetData& scene = *Asset::State::of(square());
   const landmarks::MeshSize size = landmarks::size_of(scene, 0);
   const auto& corners = scene.primitives.front().indices;
   const std::string some =

@@ -9,14 +9,14 @@
 #include <sstream>
 #include <vector>
 
-#include "core/error.h"
-#include "core/hooks.h"
-#include "profile/dipole.h"
-#include "profile/monte_carlo.h"
-#include "profile/noise.h"
-#include "profile/spectral.h"
+#include "base/core/error.h"
+#include "base/core/hooks.h"
 #include "support/full_disk.h"
 #include "support/log_lines.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/monte_carlo.h"
+#include "tissue/profile/noise.h"
+#include "tissue/profile/spectral.h"
 
 namespace dermis {
 namespace {

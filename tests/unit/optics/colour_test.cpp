@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/error.h"
-#include "optics/radiative.h"
-#include "optics/skin_colour.h"
-#include "profile/spectral.h"
+#include "base/core/error.h"
 #include "support/sanitized.h"
+#include "tissue/optics/radiative.h"
+#include "tissue/optics/skin_colour.h"
+#include "tissue/profile/spectral.h"
 #include "unit/optics/measured_skin.h"
 
 namespace dermis {

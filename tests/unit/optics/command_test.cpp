@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/core/error.h"
 #include "cli/profile_command.h"
-#include "core/error.h"
-#include "gaussians/json.h"
+#include "tissue/gaussians/json.h"
 
 namespace dermis {
 namespace {

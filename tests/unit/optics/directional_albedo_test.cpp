@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "optics/directional_albedo.h"
+#include "tissue/optics/directional_albedo.h"
 
 #include <gtest/gtest.h>
 

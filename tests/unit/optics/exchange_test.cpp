@@ -4,15 +4,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
-#include "gaussians/exchange.h"
-#include "gaussians/fit.h"
-#include "gaussians/known.h"
-#include "optics/presets.h"
-#include "profile/beam.h"
-#include "profile/burley.h"
-#include "profile/dipole.h"
-#include "profile/equivalent.h"
+#include "base/core/error.h"
+#include "tissue/gaussians/exchange.h"
+#include "tissue/gaussians/fit.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/optics/presets.h"
+#include "tissue/profile/beam.h"
+#include "tissue/profile/burley.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/equivalent.h"
 
 namespace dermis {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "core/error.h"
-#include "gaussians/fit.h"
-#include "optics/presets.h"
-#include "profile/dipole.h"
-#include "profile/slab.h"
-#include "profile/tabulated.h"
+#include "base/core/error.h"
+#include "tissue/gaussians/fit.h"
+#include "tissue/optics/presets.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/slab.h"
+#include "tissue/profile/tabulated.h"
 #include "truth.h"
 
 namespace dermis {

@@ -7,7 +7,7 @@
 
 #include "dermis/error.h"
 #include "dermis/profile.h"
-#include "gaussians/json.h"
+#include "tissue/gaussians/json.h"
 
 namespace dermis {
 namespace {

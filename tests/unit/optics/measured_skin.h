@@ -7,7 +7,7 @@
 // skin. SpectralSkin Research and Technology, 2017
 #pragma once
 
-#include "optics/observer.h"
+#include "tissue/optics/observer.h"
 
 namespace dermis {
 

@@ -3,13 +3,13 @@
 
 #include <cmath>
 
-#include "core/error.h"
-#include "optics/fresnel.h"
-#include "optics/inversion.h"
-#include "optics/layers.h"
-#include "optics/presets.h"
-#include "profile/dipole.h"
-#include "profile/tabulated.h"
+#include "base/core/error.h"
+#include "tissue/optics/fresnel.h"
+#include "tissue/optics/inversion.h"
+#include "tissue/optics/layers.h"
+#include "tissue/optics/presets.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/tabulated.h"
 #include "truth.h"
 
 namespace dermis {

@@ -9,13 +9,13 @@
 #include <fstream>
 #include <limits>
 
-#include "core/error.h"
-#include "optics/fresnel.h"
-#include "optics/presets.h"
-#include "optics/quadrature.h"
-#include "profile/beam.h"
-#include "profile/monte_carlo.h"
-#include "profile/single_rings.h"
+#include "base/core/error.h"
+#include "tissue/optics/fresnel.h"
+#include "tissue/optics/presets.h"
+#include "tissue/optics/quadrature.h"
+#include "tissue/profile/beam.h"
+#include "tissue/profile/monte_carlo.h"
+#include "tissue/profile/single_rings.h"
 
 namespace dermis {
 namespace {

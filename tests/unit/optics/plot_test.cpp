@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/profile_plot.h"
-#include "gaussians/known.h"
-#include "profile/burley.h"
+#include "tissue/gaussians/known.h"
+#include "tissue/profile/burley.h"
 
 namespace dermis::cli {
 namespace {

@@ -12,12 +12,12 @@
 
 #include "dermis/error.h"
 #include "dermis/profile.h"
-#include "optics/presets.h"
-#include "profile/dipole.h"
-#include "profile/monte_carlo.h"
-#include "profile/spectral.h"
 #include "support/files.h"
 #include "support/thrown.h"
+#include "tissue/optics/presets.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/monte_carlo.h"
+#include "tissue/profile/spectral.h"
 
 namespace dermis {
 namespace {

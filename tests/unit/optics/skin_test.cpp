@@ -6,15 +6,15 @@
 #include <limits>
 #include <sstream>
 
-#include "core/error.h"
-#include "optics/fresnel.h"
-#include "optics/observer.h"
-#include "optics/radiative.h"
-#include "optics/skin.h"
-#include "profile/monte_carlo.h"
-#include "profile/slab.h"
-#include "settings/check.h"
+#include "base/core/error.h"
+#include "base/settings/check.h"
 #include "support/assets.h"
+#include "tissue/optics/fresnel.h"
+#include "tissue/optics/observer.h"
+#include "tissue/optics/radiative.h"
+#include "tissue/optics/skin.h"
+#include "tissue/profile/monte_carlo.h"
+#include "tissue/profile/slab.h"
 
 namespace dermis {
 namespace {

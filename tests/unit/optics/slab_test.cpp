@@ -4,13 +4,13 @@
 #include <cmath>
 #include <random>
 
-#include "core/error.h"
-#include "optics/presets.h"
-#include "optics/radiative.h"
-#include "profile/burley.h"
-#include "profile/dipole.h"
-#include "profile/slab.h"
-#include "profile/thin_slab.h"
+#include "base/core/error.h"
+#include "tissue/optics/presets.h"
+#include "tissue/optics/radiative.h"
+#include "tissue/profile/burley.h"
+#include "tissue/profile/dipole.h"
+#include "tissue/profile/slab.h"
+#include "tissue/profile/thin_slab.h"
 
 namespace dermis {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "passes/blur/blur.h"
+#include "render/passes/scatter/blur/blur.h"
 
 #include <gtest/gtest.h>
 
-#include "passes/kernels.h"
+#include "render/passes/scatter/kernels.h"
 
 namespace dermis::passes {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "passes/curvature_smoothing.h"
+#include "render/passes/asset/curvature_smoothing.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/primitives.h"
-#include "scene/unwrap.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::passes {
 namespace {
 
-int smoothing_of(const scene::Scene& made) {
+int smoothing_of(const scene::AssetData& made) {
   return curvature_smoothing(scene::skin_meshes(made).front(), made.mm_per_unit);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "passes/first_corners.h"
+#include "render/passes/asset/first_corners.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::passes {
 namespace {
 
-// As shaders/first_corner.glsl.
+// As render/shaders/first_corner.glsl.
 std::vector<std::uint32_t> drawn(const std::vector<std::uint32_t>& first_corners,
                                  const std::vector<std::uint32_t>& indices) {
   const std::size_t triangles = indices.size() / 3;
@@ -31,7 +31,7 @@ TEST(FirstCorners, DrawTheSameTriangles) {
   expect_first_corners({0, 1, 2, 0, 2, 3, 0, 3, 1});  // all have the same first corner
   expect_first_corners({5, 5, 5, 5, 6, 5, 6, 5, 7});  // without area, and vertices without a triangle
 
-  const scene::Scene large = scene::sphere(0.1, 110);
+  const scene::AssetData large = scene::sphere(0.1, 110);
   ASSERT_GT(large.primitives.front().vertices.size(), 65535u);
   expect_first_corners(large.primitives.front().indices);
 }

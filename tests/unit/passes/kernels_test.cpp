@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/kernels.h"
+#include "render/passes/scatter/kernels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "passes/shadow/fit.h"
+#include "render/passes/shadow/fit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "scene/enclosure.h"
-#include "scene/framing.h"
+#include "head/scene/framing.h"
+#include "head/scene/surface/enclosure.h"
 
 namespace dermis::passes {
 namespace {

@@ -3,8 +3,8 @@
 // by its weight.
 #include <gtest/gtest.h>
 
-#include "gaussians/known.h"
-#include "passes/transmission.h"
+#include "render/passes/light_map/transmission.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::passes {
 namespace {

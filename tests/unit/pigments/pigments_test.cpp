@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The table of skin is the model; a map's pigments are found again; other pigments change its colour as the
 // model says, and nothing else.
-#include "pigments/maps.h"
+#include "head/pigments/maps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "dermis/error.h"
+#include "head/pigments/coding.h"
+#include "head/pigments/fit.h"
+#include "head/scene/import/load.h"
+#include "head/scene/import/primitives.h"
 #include "image/codec.h"
 #include "image/colour.h"
-#include "optics/skin_colour.h"
-#include "pigments/coding.h"
-#include "pigments/fit.h"
-#include "scene/load.h"
-#include "scene/primitives.h"
 #include "support/assets.h"
 #include "support/files.h"
 #include "support/thrown.h"
+#include "tissue/optics/skin_colour.h"
 
 namespace dermis::pigments {
 namespace {
@@ -41,8 +41,8 @@ constexpr Pigments some[] = {{0.0015, 0.002, 0.75}, {0.02, 0.01, 0.75},  {0.025,
                              {0.061, 0.0135, 0.75}, {0.11, 0.079, 0.75}, {0.3, 0.03, 0.75}};
 
 // A ball whose colour map has one stripe for each of these skins, times an exposure.
-scene::Scene striped(double exposure = 1) {
-  scene::Scene ball = scene::sphere(0.1, 8);
+scene::AssetData striped(double exposure = 1) {
+  scene::AssetData ball = scene::sphere(0.1, 8);
   std::array<std::array<std::uint8_t, 4>, std::size(some)> colours{};
   for (std::size_t k = 0; k < colours.size(); ++k) {
     static const std::array<Rgb, std::size(some)> albedos = [] {
@@ -62,7 +62,7 @@ scene::Scene striped(double exposure = 1) {
   return ball;
 }
 
-Lab stripe(const scene::Scene& scene, int number) {
+Lab stripe(const scene::AssetData& scene, int number) {
   const image::Image8& map =
       *scene.images[static_cast<std::size_t>(scene.materials[0].base_colour_map.image)].pixels;
   return optics::lab_from_linear(linear_of(colour_at(map.at(8 * number + 3, 20))));
@@ -123,8 +123,8 @@ TEST(Maps, DoNotDependOnTheExposure) {
 
 // The prediction is the spectral model's own, wavelength by wavelength.
 void expect_as_the_model_says(const Wanted& wanted) {
-  scene::Scene changed = striped();
-  const scene::Scene before = changed;
+  scene::AssetData changed = striped();
+  const scene::AssetData before = changed;
   repaint(changed, wanted);
   for (int k = 0; k < 6; ++k) {
     Pigments other = some[k];
@@ -137,7 +137,7 @@ void expect_as_the_model_says(const Wanted& wanted) {
 
 TEST(Repaint, TwiceTheBloodReddensAsTheModelSays) {
   expect_as_the_model_says({.haemoglobin = 2});
-  scene::Scene changed = striped();
+  scene::AssetData changed = striped();
   const Lab before = stripe(changed, 2);
   repaint(changed, {.haemoglobin = 2});
   EXPECT_GT(stripe(changed, 2).a, before.a + 2);
@@ -146,7 +146,7 @@ TEST(Repaint, TwiceTheBloodReddensAsTheModelSays) {
 
 TEST(Repaint, TwiceTheMelaninBrownsAsTheModelSays) {
   expect_as_the_model_says({.melanin = 2});
-  scene::Scene changed = striped();
+  scene::AssetData changed = striped();
   const Lab before = stripe(changed, 2);
   repaint(changed, {.melanin = 2});
   EXPECT_LT(stripe(changed, 2).l, before.l - 5);
@@ -156,12 +156,12 @@ TEST(Repaint, TwiceTheMelaninBrownsAsTheModelSays) {
 TEST(Repaint, TakesTheMapsThatMapsOfMakes) {
   const tests::TempFolder folder;
   const std::string melanin = (folder.path() / "m.png").string(), blood = (folder.path() / "h.png").string();
-  const scene::Scene before = striped();
+  const scene::AssetData before = striped();
   const Maps maps = maps_of(before);
   image::save_png(melanin, maps.melanin);
   image::save_png(blood, maps.haemoglobin);
 
-  scene::Scene same = before, less = before;
+  scene::AssetData same = before, less = before;
   repaint(same, {.melanin_map = melanin, .haemoglobin_map = blood});
   repaint(less, {.haemoglobin_map = blood, .haemoglobin = 0.25});
   for (int k = 0; k < 6; ++k) {
@@ -172,7 +172,7 @@ TEST(Repaint, TakesTheMapsThatMapsOfMakes) {
 }
 
 TEST(Repaint, LeavesThePictureToOthersThatUseIt) {
-  scene::Scene scene = striped();
+  scene::AssetData scene = striped();
   scene.materials.push_back(scene.materials[0]);
   scene.materials[1].skin = false;
   repaint(scene, {.melanin = 3});
@@ -184,7 +184,7 @@ TEST(Repaint, RefusesWhatItCannotDo) {
   const tests::TempFolder folder;
   const std::string faulty = (folder.path() / "faulty.png").string();
   tests::write_text(faulty, "\x89PNG\r\n\x1a\nnothing more");
-  scene::Scene scene = striped();
+  scene::AssetData scene = striped();
   EXPECT_NE(tests::thrown<InputError>([&] { repaint(scene, {.melanin_map = faulty}); }).find("faulty.png"),
             std::string::npos);
   EXPECT_NE(tests::thrown<InputError>([&] {

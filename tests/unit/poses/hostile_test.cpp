@@ -11,7 +11,7 @@
 #include "api/scene_state.h"
 #include "dermis/pose.h"
 #include "dermis/scene.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/thrown.h"
 
 namespace dermis::scene::test {
@@ -224,11 +224,11 @@ void expect_one_line(const std::string& said, const std::string& part) {
   for (const char c : said) EXPECT_TRUE(static_cast<unsigned char>(c) >= 32) << said;
 }
 
-std::shared_ptr<const Scene> flat_of(const dermis::Scene& scene) {
+std::shared_ptr<const AssetData> flat_of(const dermis::Scene& scene) {
   return setup::flattened(api::placed_scene(scene));
 }
 
-void expect_finite(const Scene& scene) {
+void expect_finite(const AssetData& scene) {
   for (const Primitive& primitive : scene.primitives)
     for (const Vertex& v : primitive.vertices) {
       EXPECT_TRUE(std::isfinite(glm::length(v.position_m)));
@@ -341,7 +341,7 @@ TEST(HostilePoses, AreOneLineAndChangeNothing) {
 
 // A file that is too large to be posed is loaded in its pose, and says why it cannot be posed.
 TEST(HostilePoses, OfWhatKeepsNoRigSayWhy) {
-  auto large = std::make_shared<Scene>(sphere(0.1));
+  auto large = std::make_shared<AssetData>(sphere(0.1));
   large->name = "large.glb";
   large->clips = {"talk"};
   large->why_no_rig = "more than 5000000 vertices";

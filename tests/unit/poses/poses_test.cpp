@@ -13,15 +13,15 @@
 #include "api/asset_state.h"
 #include "api/scene_state.h"
 #include "dermis/scene.h"
-#include "scene/placement.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/placement.h"
 #include "support/thrown.h"
 
 namespace dermis::scene::test {
 namespace {
 
 // The scene of one instance in this pose, as the reference takes it.
-std::shared_ptr<const Scene> posed(const Asset& asset, const std::optional<RigPose>& pose) {
+std::shared_ptr<const AssetData> posed(const Asset& asset, const std::optional<RigPose>& pose) {
   dermis::Scene scene;
   scene.set_pose(scene.add({.asset = asset}), pose);
   return setup::flattened(api::placed_scene(scene));
@@ -179,7 +179,7 @@ TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
                "it has a pose of two clips or of single joints");
   dermis::Scene still;
   const InstanceId ball =
-      still.add({.asset = Asset::State::make(std::make_shared<const Scene>(sphere(0.1)))});
+      still.add({.asset = Asset::State::make(std::make_shared<const AssetData>(sphere(0.1)))});
   EXPECT_ERROR(tests::thrown<InputError>([&] { still.pose(ball, "", 0); }),
                "has no clips, joints or morph weights");
 }

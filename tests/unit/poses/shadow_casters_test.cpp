@@ -7,11 +7,11 @@
 
 #include "../gltf/support.h"
 #include "api/rig_pose.h"
-#include "passes/shadow/fit.h"
-#include "scene/framing.h"
-#include "scene/load.h"
-#include "setup/casters.h"
-#include "setup/subject.h"
+#include "head/scene/framing.h"
+#include "head/scene/import/load.h"
+#include "render/passes/shadow/fit.h"
+#include "render/setup/casters.h"
+#include "render/setup/subject.h"
 #include "support/thrown.h"
 
 namespace dermis::scene::test {
@@ -19,15 +19,15 @@ namespace {
 
 constexpr int map_size = 1024;
 
-std::vector<glm::vec3> vertices_of(const Scene& scene) {
+std::vector<glm::vec3> vertices_of(const AssetData& scene) {
   std::vector<glm::vec3> points_m;
   for (const Primitive& primitive : scene.primitives)
     for (const Vertex& v : primitive.vertices) points_m.push_back(v.position_m);
   return points_m;
 }
 
-std::vector<glm::vec3> posed_vertices(const Scene& scene, const setup::PosedAsset& posed) {
-  Scene moved = scene;
+std::vector<glm::vec3> posed_vertices(const AssetData& scene, const setup::PosedAsset& posed) {
+  AssetData moved = scene;
   take_pose(*scene.rig, posed.rig, moved);
   return vertices_of(moved);
 }
@@ -95,7 +95,7 @@ std::vector<Light> lights_around(const BoundingSphere& sphere) {
 // by whole texels and change their size a few times, hold all vertices, and are hardly larger than need be.
 void expect_steady_texels(const fs::path& file) {
   const Warnings quiet;
-  const auto scene = std::make_shared<const Scene>(load_gltf(file));
+  const auto scene = std::make_shared<const AssetData>(load_gltf(file));
   const setup::Subject subject = setup::examine(scene);
   const std::vector<Light> lights = lights_around(subject.casters);
   std::vector<Steady> found(lights.size());
@@ -132,7 +132,7 @@ TEST(ShadowCasters, HoldWhatWalksAway) {
   DERMIS_NEED_ASSETS(folder);
   const Warnings quiet;
   const auto scene =
-      std::make_shared<const Scene>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
+      std::make_shared<const AssetData>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
   const setup::Subject subject = setup::examine(scene);
   const std::vector<Light> lights = lights_around(subject.casters);
 
@@ -154,7 +154,7 @@ TEST(ShadowCasters, OfARestAreThoseOfTheAsset) {
   DERMIS_NEED_ASSETS(folder);
   const Warnings quiet;
   const auto scene =
-      std::make_shared<const Scene>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
+      std::make_shared<const AssetData>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
   const setup::Subject subject = setup::examine(scene);
   const setup::Casters rest(subject, nullptr, {});
   for (const Light& light : lights_around(subject.casters))

@@ -2,8 +2,8 @@
 // What the alpha test cuts away is in no ray's way, gets no light and is not seen.
 #include <gtest/gtest.h>
 
+#include "head/scene/import/primitives.h"
 #include "rays/alpha_test.h"
-#include "scene/primitives.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::reference {
@@ -12,8 +12,8 @@ namespace {
 constexpr double size_m = 0.02;
 
 /// A plane of which the left half is there: alpha 1, 1, 0, 0, and 0.5 in the middle between.
-scene::Scene half_plane() {
-  scene::Scene made = scene::plane(size_m);
+scene::AssetData half_plane() {
+  scene::AssetData made = scene::plane(size_m);
   const image::Image8 pixels{.width = 4,
                              .height = 1,
                              .rgba = {255, 255, 255, 255, 255, 255, 255, 255,  //
@@ -27,7 +27,7 @@ scene::Scene half_plane() {
 }
 
 TEST(CutOut, IsInNoRaysWay) {
-  const scene::Scene scene = half_plane();
+  const scene::AssetData scene = half_plane();
   const rays::RayScene rays(scene);
   for (const double x : {-0.0095, -0.004, -0.0002, 0.0002, 0.004, 0.0095}) {
     const rays::Ray down{.origin_m = {x, 0.001, 0.01}, .direction = {0, 0, -1}};
@@ -40,7 +40,7 @@ TEST(CutOut, IsInNoRaysWay) {
 
 // The nearer of an opaque sheet and a cut-out one counts, in either order.
 TEST(CutOut, StandsAmongOpaqueThings) {
-  scene::Scene scene = half_plane();
+  scene::AssetData scene = half_plane();
   scene::Primitive floor = scene.primitives.front();
   scene.materials.push_back({.name = "floor"});
   floor.material = 1;
@@ -56,7 +56,7 @@ TEST(CutOut, StandsAmongOpaqueThings) {
 }
 
 TEST(CutOut, IsNotSeenAndGetsNoLight) {
-  const scene::Scene scene = half_plane();
+  const scene::AssetData scene = half_plane();
   Job job = tests::furnace(scene, 16);
   job.setup.camera = tests::camera_from_above(size_m / 2, {0, 0, 0.01f});
   const Tracer tracer(scene, job);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the surroundings as light: directions are drawn as they claim, and what is lit by them is
 // known.
-#include "reference/environment_sampler.h"
+#include "truth/reference/environment_sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <functional>
 #include <numbers>
 
-#include "reference/checkpoint.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
+#include "truth/reference/checkpoint.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::reference {
@@ -87,7 +87,7 @@ TEST(EnvironmentSampler, TurnTowardsTheLeft) {
 }
 
 TEST(EnvironmentSampler, BlackOnesAreBlack) {
-  const scene::Scene ball = scene::sphere(0.05, 16);
+  const scene::AssetData ball = scene::sphere(0.05, 16);
   Job job = tests::furnace(ball, 8);
   job.setup.environment = uniform(0);
   const image::ImageF picture = tests::rendered(Tracer(ball, job), 8).picture();
@@ -109,8 +109,8 @@ double mean_of(const Film& film) {
 }
 
 /// A plane of skin at the bottom of a well of four white walls, seen from above.
-scene::Scene well() {
-  scene::Scene made = scene::plane(0.2, glm::dmat2(1), {}, 1);
+scene::AssetData well() {
+  scene::AssetData made = scene::plane(0.2, glm::dmat2(1), {}, 1);
   made.materials.push_back({.name = "wall", .double_sided = true});
 
   scene::Primitive p{.name = "walls", .material = 1};
@@ -136,7 +136,7 @@ scene::Scene well() {
 // White surroundings, white bodies: whatever hides the sky sends on as much as it hides, over any number of
 // bounces.
 TEST(EnvironmentSampler, FurnaceIsWhiteInAWell) {
-  scene::Scene scene = well();
+  scene::AssetData scene = well();
   for (scene::Material& material : scene.materials) material.base_colour = {0.5f, 0.5f, 0.5f, 1};
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(scene, 12);
@@ -155,7 +155,7 @@ TEST(EnvironmentSampler, ASmallLampIsADirectionalLight) {
   const glm::dvec3 to_lamp = glm::normalize(glm::dvec3(0.6, 0.3, 0.9));
   constexpr double half_angle = 0.05, radiance = 400;
   const double irradiance = radiance * 2 * pi * (1 - std::cos(half_angle));
-  const scene::Scene ball = scene::sphere(0.05, 32);
+  const scene::AssetData ball = scene::sphere(0.05, 32);
   Job job = tests::furnace(ball, 16);
   job.setup.ambient = 0;
   Job lit = job;
@@ -172,7 +172,7 @@ TEST(EnvironmentSampler, ASmallLampIsADirectionalLight) {
 
 // Metal that is nearly a mirror shows the picture in the mirrored direction.
 TEST(EnvironmentSampler, ShowInAMirror) {
-  scene::Scene scene = scene::plane(0.2, glm::dmat2(1), {}, 1);
+  scene::AssetData scene = scene::plane(0.2, glm::dmat2(1), {}, 1);
   scene.materials.front().skin = false;
   scene.materials.front().metallic = 1, scene.materials.front().roughness = 0.05f;
   Job job = tests::furnace(scene, 4);
@@ -188,7 +188,7 @@ TEST(EnvironmentSampler, ShowInAMirror) {
 }
 
 TEST(EnvironmentSampler, ACheckpointKnowsThem) {
-  const scene::Scene ball = scene::sphere(0.05, 8);
+  const scene::AssetData ball = scene::sphere(0.05, 8);
   Job job = tests::furnace(ball, 4);
   const std::uint64_t without = fingerprint(ball, job, 1);
   job.setup.environment = uniform(1);

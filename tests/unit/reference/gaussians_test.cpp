@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "gaussians/known.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
+#include "tissue/gaussians/known.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::reference {
@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-Job gaussians_job(const scene::Scene& scene, int side) {
+Job gaussians_job(const scene::AssetData& scene, int side) {
   Job job = tests::furnace(scene, side);
   job.model = ReferenceModel::gaussians;
   job.setup.specular = false;
@@ -75,7 +75,7 @@ TEST(Gaussians, ALitSphereIsTheIntegralOverItsArea) {
   for (const double radius_mm : {5.0, 20.0}) {
     SCOPED_TRACE(radius_mm);
     constexpr int columns = 25, rows = 12;
-    const scene::Scene sphere = scene::sphere(radius_mm / 1000, 96);
+    const scene::AssetData sphere = scene::sphere(radius_mm / 1000, 96);
     Job job = gaussians_job(sphere, columns);
     job.setup.height = rows;
     job.setup.ambient = 0;
@@ -99,7 +99,7 @@ TEST(Gaussians, ALitSphereIsTheIntegralOverItsArea) {
 }
 
 TEST(Gaussians, ASphereInEvenLightIsWhite) {
-  const scene::Scene sphere = scene::sphere(0.05, 32);
+  const scene::AssetData sphere = scene::sphere(0.05, 32);
   Job job = gaussians_job(sphere, 16);
   for (const double share : {0.0, 0.4, 1.0}) {
     if (share > 0) job.profiles.assign(sphere.materials.size(), without_width(share));
@@ -116,7 +116,7 @@ TEST(Gaussians, ASphereInEvenLightIsWhite) {
 }
 
 TEST(Gaussians, WithoutTermsOfNoWidthBothModelsGiveTheSameBits) {
-  const scene::Scene sphere = scene::sphere(0.005, 16);
+  const scene::AssetData sphere = scene::sphere(0.005, 16);
   Job job = gaussians_job(sphere, 16);
   const Film own = tests::rendered(Tracer(sphere, job), 8, 3);
   job.model = ReferenceModel::bssrdf;
@@ -125,7 +125,7 @@ TEST(Gaussians, WithoutTermsOfNoWidthBothModelsGiveTheSameBits) {
 
 // Half of an edge is sharp, the other half has the width of its Gaussian.
 TEST(Gaussians, ATermWithoutWidthLeavesWhereItEntered) {
-  scene::Scene scene = scene::plane(0.12, glm::dmat2(1), {}, 1);
+  scene::AssetData scene = scene::plane(0.12, glm::dmat2(1), {}, 1);
   tests::add_sheet(scene, 0.1f, 0.05f);
   Job job = gaussians_job(scene, 16);
   job.setup.height = 4;

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "gaussians/known.h"
+#include "head/scene/import/primitives.h"
 #include "image/colour.h"
-#include "scene/primitives.h"
 #include "support/sanitized.h"
+#include "tissue/gaussians/known.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::reference {
@@ -38,7 +38,7 @@ Deviation deviation(const Film& film, const glm::dvec3& wanted) {
 }
 
 TEST(Picture, VolumeFurnaceIsWhite) {
-  const scene::Scene sphere = scene::sphere(0.005, 16);
+  const scene::AssetData sphere = scene::sphere(0.005, 16);
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(sphere, 16);
     job.model = ReferenceModel::volume;
@@ -54,7 +54,7 @@ TEST(Picture, VolumeFurnaceIsWhite) {
 // beyond the far side is missing.
 TEST(Picture, SphereKeepsTheLightOfItsProfile) {
   constexpr double radius_mm = 2.5;
-  const scene::Scene sphere = scene::sphere(radius_mm / 1000, 64);
+  const scene::AssetData sphere = scene::sphere(radius_mm / 1000, 64);
   glm::dvec3 wanted(0);
   for (const Gaussian& g : gaussians::skin_six().terms)
     for (int c = 0; c < 3; ++c)
@@ -70,7 +70,7 @@ TEST(Picture, SphereKeepsTheLightOfItsProfile) {
 
 TEST(Picture, SurfaceFurnaceIsWhite) {
   // large against the profile: nothing reaches the far side
-  const scene::Scene sphere = scene::sphere(0.05, 32);
+  const scene::AssetData sphere = scene::sphere(0.05, 32);
   for (const bool specular : {false, true}) {
     Job job = tests::furnace(sphere, 24);
     job.setup.specular = specular;
@@ -80,8 +80,8 @@ TEST(Picture, SurfaceFurnaceIsWhite) {
 }
 
 /// A plane of skin under a light from straight above, half of it in the shadow of a sheet.
-scene::Scene knife_edge() {
-  scene::Scene made = scene::plane(0.12, glm::dmat2(1), {}, 1);
+scene::AssetData knife_edge() {
+  scene::AssetData made = scene::plane(0.12, glm::dmat2(1), {}, 1);
   tests::add_sheet(made, 0.1f, 0.05f);
   return made;
 }
@@ -97,7 +97,7 @@ double mean_phi(double a, double b, double sigma) {
 }
 
 TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
-  const scene::Scene scene = knife_edge();
+  const scene::AssetData scene = knife_edge();
   constexpr std::uint32_t samples = tests::turns(2048, 512);
 
   Job job;
@@ -131,7 +131,7 @@ TEST(Picture, KnifeEdgeIsTheAnalyticOne) {
 // Stripes far finer than a pixel. Light enters and leaves through sqrt(albedo) each: the mean of the roots
 // twice, not the mean of albedos, which a camera that filters its maps would see.
 TEST(Picture, APixelIsTheMeanOfItsPointsNotOfItsMaps) {
-  scene::Scene scene = scene::plane(0.1, glm::dmat2(1), {}, 1);
+  scene::AssetData scene = scene::plane(0.1, glm::dmat2(1), {}, 1);
   image::Image8 stripes{.width = 256, .height = 1, .rgba = {}};
   for (int x = 0; x < 256; ++x) {
     stripes.rgba.insert(stripes.rgba.end(), 3, x % 2 ? 255 : 56);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Numbers of a block are one in each eighth, uniform, and independent from one draw to the next.
-#include "reference/random.h"
+#include "truth/reference/random.h"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include <atomic>
 #include <filesystem>
 
-#include "core/error.h"
-#include "core/file.h"
-#include "core/hooks.h"
-#include "reference/checkpoint.h"
-#include "scene/primitives.h"
+#include "base/core/error.h"
+#include "base/core/file.h"
+#include "base/core/hooks.h"
+#include "head/scene/import/primitives.h"
+#include "truth/reference/checkpoint.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::reference {
@@ -24,7 +24,7 @@ class Run : public testing::TestWithParam<ReferenceModel> {
     s.setup.lights.push_back({.name = "sun", .colour = {3, 2, 1}, .direction = {-0.6f, 0, -0.8f}});
     return s;
   }
-  scene::Scene scene_ = scene::sphere(0.01, 16);
+  scene::AssetData scene_ = scene::sphere(0.01, 16);
 };
 
 TEST_P(Run, HasTheSameBitsOnAnyNumberOfThreads) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "unit/reference/scenes.h"
 
-#include "gaussians/known.h"
-#include "scene/framing.h"
+#include "head/scene/framing.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::tests {
 
-scene::Scene box(double depth_mm, double half_mm) {
-  scene::Scene made;
+scene::AssetData box(double depth_mm, double half_mm) {
+  scene::AssetData made;
   made.name = "box";
   made.materials.push_back({.name = "skin", .skin = true});
   made.materials.back().ior = 1.4f;
@@ -25,7 +25,7 @@ scene::Scene box(double depth_mm, double half_mm) {
   return made;
 }
 
-reference::Job furnace(const scene::Scene& scene, int side) {
+reference::Job furnace(const scene::AssetData& scene, int side) {
   reference::Job job;
   job.setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1);
   job.setup.width = job.setup.height = side;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Simple bodies: pictures of the volume model against the walks that laws are fitted to, and the laws against
 // those walks, on bodies and media that the fit has not seen.
-#include "reference/shapes.h"
+#include "truth/reference/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/error.h"
-#include "gaussians/fit.h"
-#include "optics/presets.h"
-#include "profile/model.h"
-#include "profile/shape_laws.h"
-#include "reference/shape_prediction.h"
+#include "base/core/error.h"
 #include "support/sanitized.h"
 #include "support/thrown.h"
+#include "tissue/gaussians/fit.h"
+#include "tissue/optics/presets.h"
+#include "tissue/profile/model.h"
+#include "tissue/profile/shape_laws.h"
+#include "truth/reference/shape_prediction.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::reference {
@@ -33,7 +33,7 @@ struct Seen {
 /// eye_deg: from the normal, in the plane of the light and to its side.
 Seen seen(const Body& body, const optics::RgbMedium& medium, double light_deg, std::uint32_t samples,
           double eye_deg = 0) {
-  const scene::Scene scene = mesh_of(body, 30);
+  const scene::AssetData scene = mesh_of(body, 30);
   Job job;
   job.model = ReferenceModel::volume;
   job.medium = medium;
@@ -59,7 +59,7 @@ Seen seen(const Body& body, const optics::RgbMedium& medium, double light_deg, s
 }
 
 // The walks have the mean over cosines of 0.8 to 1, 0.9 in the middle, where the picture has 1: that changes
-// the radiance by 1 to 2 % (profile/shape_laws.h).
+// the radiance by 1 to 2 % (tissue/profile/shape_laws.h).
 TEST(Shapes, PicturesOfTheVolumeModelShowWhatWalksSay) {
   const struct {
     Body body;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "reference/specular.h"
+#include "truth/reference/specular.h"
 
 #include <gtest/gtest.h>
 

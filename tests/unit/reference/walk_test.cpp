@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/parallel.h"
-#include "optics/fresnel.h"
-#include "optics/radiative.h"
+#include "base/core/parallel.h"
 #include "rays/surface_point.h"
-#include "reference/walk.h"
+#include "tissue/optics/fresnel.h"
+#include "tissue/optics/radiative.h"
+#include "truth/reference/walk.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::reference {
@@ -38,7 +38,7 @@ enum class Light { perpendicular, diffuse };
 
 std::array<Totals, 3> totals(const optics::RgbMedium& medium, double depth_mm, double half_mm, Light light,
                              std::uint64_t seed) {
-  const scene::Scene box = tests::box(depth_mm, half_mm);
+  const scene::AssetData box = tests::box(depth_mm, half_mm);
   const rays::RayScene rays(box);
   const WalkMedium walked(medium, box.mm_per_unit);
 

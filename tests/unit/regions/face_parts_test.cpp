@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lips and neck from landmarks, and parts by their names.
-#include "regions/face_parts.h"
+#include "truth/regions/face_parts.h"
 
 #include <gtest/gtest.h>
 

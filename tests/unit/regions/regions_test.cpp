@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Regions of pictures whose answer is known, and of the built-in head, whose landmarks are.
-#include "regions/regions.h"
+#include "truth/regions/regions.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "reference/camera_ray.h"
-#include "regions/head_frame.h"
-#include "regions/parts.h"
-#include "scene/framing.h"
-#include "scene/primitives.h"
-#include "scene/unwrap.h"
+#include "head/scene/framing.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/unwrap.h"
 #include "support/built_in.h"
+#include "truth/reference/camera_ray.h"
+#include "truth/regions/head_frame.h"
+#include "truth/regions/parts.h"
 #include "unit/reference/scenes.h"
 
 namespace dermis::regions {
 namespace {
 
-reference::RenderSetup framed(const scene::Scene& scene, int side, double azimuth_deg = 0) {
+reference::RenderSetup framed(const scene::AssetData& scene, int side, double azimuth_deg = 0) {
   reference::RenderSetup setup;
   setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1, azimuth_deg, 0);
   setup.width = setup.height = side;
@@ -45,7 +45,7 @@ void for_each_point(const rays::RayScene& rays, const reference::RenderSetup& se
 }
 
 TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
-  const scene::Scene ball = scene::sphere(0.1, 64);
+  const scene::AssetData ball = scene::sphere(0.1, 64);
   const rays::RayScene rays(ball);
   reference::RenderSetup setup = framed(ball, 96);
   setup.lights = {from({1, 0, 0})};
@@ -65,7 +65,7 @@ TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
 }
 
 TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
-  const scene::Scene ball = scene::sphere(0.1, 32);  // six charts, cut where two coordinates are equal
+  const scene::AssetData ball = scene::sphere(0.1, 32);  // six charts, cut where two coordinates are equal
   const rays::RayScene rays(ball);
   const reference::RenderSetup setup = framed(ball, 128);
   const std::vector<Region> all = find(rays, setup);
@@ -83,7 +83,7 @@ TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
 
 // A sheet over half of a plane: the shadow ends at x = 0.
 TEST(Regions, ShadowEdgesReachFiveMillimetres) {
-  scene::Scene scene = scene::plane(0.12);
+  scene::AssetData scene = scene::plane(0.12);
   tests::add_sheet(scene, 0.2f, 0.05f);
 
   const rays::RayScene rays(scene);
@@ -103,7 +103,7 @@ TEST(Regions, ShadowEdgesReachFiveMillimetres) {
 
 TEST(Regions, ThicknessOfABox) {
   for (const double depth_mm : {3.0, 12.0}) {
-    const scene::Scene box = tests::box(depth_mm, 100);
+    const scene::AssetData box = tests::box(depth_mm, 100);
     const rays::RayScene rays(box);
     const auto hit = rays.nearest_skin({.origin_m = {0.001, 0.002, 1}, .direction = {0, 0, -1}});
     ASSERT_TRUE(hit);
@@ -119,7 +119,7 @@ TEST(Regions, ThicknessOfABox) {
 
 // Two boxes side by side with a slit of 2 mm between them: a fold is where one sees the other.
 TEST(Regions, ASlitIsAFold) {
-  scene::Scene scene = tests::box(20, 10);
+  scene::AssetData scene = tests::box(20, 10);
   scene::Primitive other = scene.primitives.front();
   for (scene::Vertex& v : other.vertices) v.position_m.x += 0.022f;
   scene.primitives.push_back(other);
@@ -134,7 +134,7 @@ TEST(Regions, ASlitIsAFold) {
 }
 
 TEST(Regions, OfTheBuiltInHead) {
-  const scene::Scene& head = tests::built_in_head();
+  const scene::AssetData& head = tests::built_in_head();
   const rays::RayScene rays(head);
 
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
@@ -169,7 +169,7 @@ TEST(Regions, OfTheBuiltInHead) {
 }
 
 TEST(Parts, OfTheBuiltInHeadsVertices) {
-  const scene::Scene& head = tests::built_in_head();
+  const scene::AssetData& head = tests::built_in_head();
   const rays::RayScene rays(head);
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
   ASSERT_TRUE(frame);
@@ -192,7 +192,7 @@ TEST(Parts, OfTheBuiltInHeadsVertices) {
   EXPECT_GT(count[1], 100);
   EXPECT_NEAR(count[1], count[2], 0.1 * count[1]) << "the head is symmetric";
 
-  const scene::Scene ball = scene::sphere(0.1);
+  const scene::AssetData ball = scene::sphere(0.1);
   const auto of_ball = parts_of_skin(ball, scene::skin_meshes(ball));
   for (const glm::vec2& part : of_ball.front()) EXPECT_EQ(part, glm::vec2(-1));
 }
@@ -200,7 +200,7 @@ TEST(Parts, OfTheBuiltInHeadsVertices) {
 // A triangle of an ear, grown about its middle until its corners lie farther from it than an ear's skin is
 // closed.
 TEST(Parts, OfLargeTriangles) {
-  const scene::Scene& head = tests::built_in_head();
+  const scene::AssetData& head = tests::built_in_head();
   const rays::RayScene rays(head);
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);
   ASSERT_TRUE(frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/charts.h"
+#include "tools/report/charts.h"
 
 #include <gtest/gtest.h>
 

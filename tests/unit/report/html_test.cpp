@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "report/html.h"
+#include "tools/report/html.h"
 
 #include <gtest/gtest.h>
 
 #include "image/codec.h"
-#include "report/escape.h"
+#include "tools/report/escape.h"
 
 namespace dermis::report {
 namespace {

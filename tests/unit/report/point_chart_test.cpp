@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/point_chart.h"
+#include "tools/report/point_chart.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a value lies on an axis, and what the elements of a chart hold.
-#include "report/svg.h"
+#include "tools/report/svg.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 
 #include "../gltf/posed_by_hand.h"
 #include "../gltf/support.h"
+#include "head/scene/rig/rig.h"
 #include "moved.h"
-#include "scene/rig.h"
 
 namespace dermis::scene::test {
 namespace {
@@ -57,19 +57,19 @@ std::map<std::string, Moving> moving_files(const fs::path& root, std::initialize
   return files;
 }
 
-Scene in_pose(const Scene& scene, const Pose& pose) {
-  Scene moved = scene;
+AssetData in_pose(const AssetData& scene, const Pose& pose) {
+  AssetData moved = scene;
   take_pose(*scene.rig, posed(*scene.rig, pose, "a test"), moved);
   return moved;
 }
 
-double size_of(const Scene& scene) {
+double size_of(const AssetData& scene) {
   return double{posed_bounds(*scene.rig, posed(*scene.rig, scene.rig->rest, ""), true).sphere.radius_m};
 }
 
 // By its clips: as an evaluation by hand has them, or, where that cannot read the file, as a load in the
 // pose. Returns how far the clips move a vertex, of the size.
-double play_clips(const fs::path& file, const Scene& scene, int times) {
+double play_clips(const fs::path& file, const AssetData& scene, int times) {
   const PosedByHand by_hand(file);
   double moved = 0;
   for (std::size_t clip = 0; clip < scene.rig->clips.size(); ++clip) {
@@ -80,13 +80,13 @@ double play_clips(const fs::path& file, const Scene& scene, int times) {
       const double seconds = end_s * (1.2 * i / (times - 1) - 0.05);
       Pose pose = scene.rig->rest;
       play(scene.rig->clips[clip].clip, seconds, pose);
-      const Scene found = in_pose(scene, pose);
+      const AssetData found = in_pose(scene, pose);
       moved = std::max(moved, apart(found, scene).positions / size_of(scene));
       if (!by_hand.is_compressed()) {
         const Compared c = compare(found, by_hand.positions_m(clip, seconds));
         EXPECT_LE(c.farthest, 1e-5 * c.size) << seconds << " s";
       } else if (seconds >= 0) {
-        const Scene loaded = load_gltf(file, {.clip = scene.clips[clip], .time_s = seconds});
+        const AssetData loaded = load_gltf(file, {.clip = scene.clips[clip], .time_s = seconds});
         EXPECT_LE(apart(found, loaded).positions, 1e-5 * size_of(scene)) << seconds << " s";
       }
     }
@@ -95,14 +95,14 @@ double play_clips(const fs::path& file, const Scene& scene, int times) {
 }
 
 // Without a clip: joints of its skins, and the weights of its targets.
-double move_joints_and_weights(const Scene& scene) {
+double move_joints_and_weights(const AssetData& scene) {
   double moved = 0;
   for (std::size_t node = 0; node < scene.rig->nodes.size(); ++node) {
     Pose pose = scene.rig->rest;
     for (double& weight : pose[node].weights) weight += 0.5;
     if (!scene.rig->nodes[node].matrix)
       pose[node].transform.rotation *= glm::dquat(std::cos(0.3), 0, 0, std::sin(0.3));
-    const Scene found = in_pose(scene, pose);
+    const AssetData found = in_pose(scene, pose);
     moved = std::max(moved, apart(found, scene).positions / size_of(scene));
     for (const Primitive& primitive : found.primitives)
       for (const Vertex& v : primitive.vertices) EXPECT_TRUE(std::isfinite(glm::length(v.position_m)));
@@ -148,7 +148,7 @@ TEST(EveryFileThatMoves, Plays) {
   std::size_t played = 0, moved = 0;
   for (const auto& [name, moving] : found) {
     SCOPED_TRACE(name);
-    const Scene scene = load_gltf(*root / name);
+    const AssetData scene = load_gltf(*root / name);
     ASSERT_TRUE(scene.rig);
     EXPECT_EQ(scene.clips.size(), moving.clips);
     const int times = name.find("-sub1") == std::string::npos ? 10 : 3;
@@ -177,7 +177,7 @@ TEST(EveryFileThatMoves, MalformedPlaysOrSaysWhyNot) {
       continue;
     }
     ++shown;
-    const Scene scene = load_gltf(*root / name);
+    const AssetData scene = load_gltf(*root / name);
     EXPECT_EQ(scene.clips.size(), moving.clips);
     for (std::size_t clip = 0; clip < scene.clips.size(); ++clip) {
       const LoadOptions in_clip{.clip = scene.clips[clip], .time_s = 0.5};

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "scene/placement.h"
-#include "scene/rig.h"
+#include "head/scene/placement.h"
+#include "head/scene/rig/rig.h"
 
 namespace dermis::scene::test {
 
-Compared compare(const Scene& scene, const Points& expected) {
+Compared compare(const AssetData& scene, const Points& expected) {
   Compared c;
   glm::dvec3 low(1e9), high(-1e9);
   for (const Primitive& primitive : scene.primitives)
@@ -27,7 +27,7 @@ Compared compare(const Scene& scene, const Points& expected) {
   return c;
 }
 
-Apart apart(const Scene& a, const Scene& b) {
+Apart apart(const AssetData& a, const AssetData& b) {
   Apart most;
   EXPECT_EQ(a.primitives.size(), b.primitives.size());
   for (std::size_t i = 0; i < a.primitives.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "../gltf/posed_by_hand.h"
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 
 namespace dermis::scene::test {
 
@@ -16,12 +16,12 @@ struct Compared {
 };
 
 /// Compares a scene with the positions of its vertices by hand, but for meshes that stand at several places.
-Compared compare(const Scene& scene, const Points& expected);
+Compared compare(const AssetData& scene, const Points& expected);
 
 /// Largest differences of positions (m) and of directions.
 struct Apart {
   double positions = 0, normals = 0, tangents = 0;
 };
-Apart apart(const Scene& a, const Scene& b);
+Apart apart(const AssetData& a, const AssetData& b);
 
 }  // namespace dermis::scene::test

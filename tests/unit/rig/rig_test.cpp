@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 // What an asset keeps to be posed again, against an evaluation by hand and against the file loaded in the
 // pose.
-#include "scene/rig.h"
+#include "head/scene/rig/rig.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "../gltf/posed_by_hand.h"
+#include "head/scene/framing.h"
+#include "head/scene/placement.h"
+#include "head/scene/surface/turned.h"
+#include "head/scene/surface/unwrap.h"
 #include "moved.h"
-#include "scene/framing.h"
-#include "scene/placement.h"
-#include "scene/turned.h"
-#include "scene/unwrap.h"
 #include "two_clips.h"
 
 namespace dermis::scene::test {
 namespace {
 
-Pose pose_at(const Scene& scene, std::size_t clip, double seconds) {
+Pose pose_at(const AssetData& scene, std::size_t clip, double seconds) {
   Pose pose = scene.rig->rest;
   play(scene.rig->clips[clip].clip, seconds, pose);
   return pose;
 }
 
-Scene posed_scene(const Scene& scene, const Pose& pose) {
-  Scene moved = scene;
+AssetData posed_scene(const AssetData& scene, const Pose& pose) {
+  AssetData moved = scene;
   take_pose(*scene.rig, posed(*scene.rig, pose, "a test"), moved);
   return moved;
 }
@@ -57,7 +57,7 @@ class Character : public testing::Test {
 
 TEST_F(Character, BlendsTwoClips) {
   const fs::path file = with_second_clip(file_, temp_.path() / "two.glb");
-  const Scene scene = load_gltf(file);
+  const AssetData scene = load_gltf(file);
   const PosedByHand by_hand(file);
   ASSERT_EQ(scene.clips, (std::vector<std::string>{"performance", "second"}));
 
@@ -66,7 +66,7 @@ TEST_F(Character, BlendsTwoClips) {
   for (const double share : {0.0, 0.3, 0.5, 1.0})
     for (const double seconds : {0.2, 0.9, 1.7}) {
       SCOPED_TRACE(testing::Message() << share << " at " << seconds << " s");
-      const Scene found =
+      const AssetData found =
           posed_scene(scene, blended(pose_at(scene, 0, seconds), pose_at(scene, 1, 2 * seconds / 3), share));
       const Compared c = compare(found, by_hand.blended_m(0, seconds, 1, 2 * seconds / 3, share));
       EXPECT_LE(c.farthest, 1e-5 * c.size);
@@ -76,9 +76,9 @@ TEST_F(Character, BlendsTwoClips) {
 }
 
 TEST_F(Character, IsAsLoadedInThatPose) {
-  const Scene scene = load_gltf(file_), other = load_gltf(file_, {.time_s = 1.4});
+  const AssetData scene = load_gltf(file_), other = load_gltf(file_, {.time_s = 1.4});
   for (const double seconds : {0.0, 0.7, 1.4}) {
-    const Scene loaded = load_gltf(file_, {.time_s = seconds});
+    const AssetData loaded = load_gltf(file_, {.time_s = seconds});
     const Apart a = apart(posed_scene(scene, pose_at(scene, 0, seconds)), loaded);
     std::printf("%.1f s: positions %.1e m, normals %.1e, tangents %.1e\n", seconds, a.positions, a.normals,
                 a.tangents);
@@ -92,7 +92,7 @@ TEST_F(Character, IsAsLoadedInThatPose) {
 
 // Boxes and spheres without reading a vertex hold every vertex, and are not much larger.
 TEST_F(Character, BoundsHoldThePose) {
-  const Scene scene = load_gltf(file_);
+  const AssetData scene = load_gltf(file_);
   double loosest = 0;
   for (int i = 0; i < 11; ++i) {
     Pose pose = pose_at(scene, 0, 0.2 * i);
@@ -101,7 +101,7 @@ TEST_F(Character, BoundsHoldThePose) {
     for (NodePose& node : pose)
       for (double& weight : node.weights) weight = natural ? weight : 4;
     const PosedRig rig = posed(*scene.rig, pose, "a test");
-    const Scene moved = posed_scene(scene, pose);
+    const AssetData moved = posed_scene(scene, pose);
     const Bounds held = posed_bounds(*scene.rig, rig, false), all = posed_bounds(*scene.rig, rig, true),
                  exact = skin_bounds(moved);
     for (glm::length_t axis = 0; axis < 3; ++axis) {
@@ -147,7 +147,7 @@ TEST(FaultyRigs, AreShownAtRest) {
          {{{"input", b.accessor({1, 0}, "SCALAR")}, {"output", b.accessor({0, 0, 0, 1, 0, 0}, "VEC3")}}}},
         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}});
   const Warnings warnings;
-  const Scene scene = b.load();
+  const AssetData scene = b.load();
   ASSERT_TRUE(scene.rig);
   EXPECT_ERROR(scene.rig->clips.at(0).error, "times must not fall; 0 s follows 1 s");
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "scene/coverage.h"
+#include "head/scene/surface/coverage.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "head/scene/import/primitives.h"
 #include "scan.h"
-#include "scene/primitives.h"
 #include "skin_meshes.h"
 #include "support/log_lines.h"
 
@@ -14,8 +14,8 @@ namespace dermis::scene {
 namespace {
 
 /// Two copies of a square of the map, side by side in the world; the second moved by `shift` on the map.
-Scene two_squares(glm::vec2 shift) {
-  Scene scene = plane(0.05, glm::dmat2(0.5), {}, 2);
+AssetData two_squares(glm::vec2 shift) {
+  AssetData scene = plane(0.05, glm::dmat2(0.5), {}, 2);
   Primitive& p = scene.primitives[0];
   const auto n = static_cast<std::uint32_t>(p.vertices.size());
   const std::vector<std::uint32_t> indices = p.indices;
@@ -99,8 +99,8 @@ TEST(Coverage, StaysOnTheMap) {
 
 // Steps of an eighth of a turn, whose outer ends rise, on the map seen from above: one chart, which
 // overlaps itself where it goes on for more than one turn.
-Scene spiral_stairs(int steps) {
-  Scene scene = plane(0.05);
+AssetData spiral_stairs(int steps) {
+  AssetData scene = plane(0.05);
   Primitive& p = scene.primitives[0];
   p.vertices.clear();
   p.indices.clear();
@@ -137,7 +137,7 @@ TEST(Overlap, ChartsLieApart) {
   }
   EXPECT_EQ(only_mesh(spiral_stairs(16)).layers, 1) << "it is one chart";
 
-  Scene twice = plane(0.05, glm::dmat2(1), {}, 2);
+  AssetData twice = plane(0.05, glm::dmat2(1), {}, 2);
   const std::vector<std::uint32_t> once = twice.primitives[0].indices;
   twice.primitives[0].indices.insert(twice.primitives[0].indices.end(), once.begin(), once.end());
   EXPECT_EQ(only_mesh(twice).layers, 1) << "the same triangles, twice";
@@ -146,7 +146,7 @@ TEST(Overlap, ChartsLieApart) {
   EXPECT_EQ(only_mesh(twice).layers, 2) << "the inside of a double wall";
 
   // Two squares on the same coordinates, the second of them twice: both copies are on its layer.
-  Scene pair = two_squares({0, 0});
+  AssetData pair = two_squares({0, 0});
   std::vector<std::uint32_t>& indices = pair.primitives[0].indices;
   const std::vector<std::uint32_t> second(indices.begin() + static_cast<std::ptrdiff_t>(indices.size() / 2),
                                           indices.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Curvature of shapes whose curvature is known.
-#include "scene/curvature.h"
+#include "head/scene/surface/curvature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/displacement.h"
+#include "head/scene/surface/displacement.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <functional>
 #include <numbers>
 
+#include "head/scene/import/primitives.h"
 #include "scan.h"
-#include "scene/primitives.h"
 
 namespace dermis::scene {
 namespace {
@@ -193,7 +193,7 @@ TEST(Displacement, SizesAndEdges) {
 }
 
 TEST(Displacement, MeanMillimetresOfPlanes) {
-  const auto mesh_of = [](const Scene& scene) { return skin_meshes(scene).at(0); };
+  const auto mesh_of = [](const AssetData& scene) { return skin_meshes(scene).at(0); };
   const glm::dvec2 square = mean_mm_per_uv(mesh_of(plane(0.05, glm::dmat2(0.5, 0, 0, 1))), 1000);
   EXPECT_NEAR(square.x, 100, 1e-3);
   EXPECT_NEAR(square.y, 50, 1e-3);

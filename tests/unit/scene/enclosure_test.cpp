@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/enclosure.h"
+#include "head/scene/surface/enclosure.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <random>
 #include <vector>
 
+#include "head/scene/framing.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/placement.h"
 #include "scan.h"
-#include "scene/framing.h"
-#include "scene/placement.h"
-#include "scene/primitives.h"
 
 namespace dermis::scene {
 namespace {
@@ -53,7 +53,7 @@ TEST(EnclosingCorners, HoldEveryPoint) {
 }
 
 TEST(EnclosingCorners, AreTightAroundABall) {
-  const Scene ball = sphere(0.1, 32, 0);
+  const AssetData ball = sphere(0.1, 32, 0);
   const std::vector<glm::vec3> corners = enclosing_corners(ball);
   double farthest = 0, nearest = HUGE_VAL;
   for (const glm::dvec3& direction : many_directions()) {

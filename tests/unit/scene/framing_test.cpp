@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/framing.h"
+#include "head/scene/framing.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "dermis/error.h"
+#include "head/scene/import/primitives.h"
 #include "scan.h"
-#include "scene/primitives.h"
 
 namespace dermis::scene {
 namespace {
@@ -50,7 +50,7 @@ TEST(BoundingSphere, Scan) {
 }
 
 TEST(SkinSphere, LooksOnlyAtSkinIfThereIsAny) {
-  Scene scene = sphere(0.1, 8);
+  AssetData scene = sphere(0.1, 8);
   Primitive far_away = scene.primitives[0];
   for (Vertex& v : far_away.vertices) v.position_m += glm::vec3(5, 0, 0);
   far_away.material = 1;
@@ -62,7 +62,7 @@ TEST(SkinSphere, LooksOnlyAtSkinIfThereIsAny) {
 }
 
 TEST(SkinBounds, AreABoxAndTheSphereAboutItsMiddle) {
-  Scene scene = sphere(0.1, 8);
+  AssetData scene = sphere(0.1, 8);
   for (Vertex& v : scene.primitives[0].vertices) v.position_m += glm::vec3(1, 2, 3);
   const Bounds bounds = skin_bounds(scene);
   EXPECT_NEAR(glm::distance(bounds.low_m, glm::vec3(0.9f, 1.9f, 2.9f)), 0, 1e-5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gutters.h"
+#include "head/scene/surface/gutters.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <map>
 #include <numbers>
 
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/coverage.h"
+#include "head/scene/surface/tangents.h"
 #include "scan.h"
-#include "scene/coverage.h"
-#include "scene/primitives.h"
-#include "scene/tangents.h"
 #include "skin_meshes.h"
 #include "support/log_lines.h"
 #include "support/sanitized.h"
@@ -84,7 +84,7 @@ void append_patch(Primitive& primitive, const Surface& surface, glm::dvec2 low, 
 }
 
 SkinMesh mesh_from(Primitive primitive) {
-  Scene scene = plane(0.05);
+  AssetData scene = plane(0.05);
   primitive.node = 0;
   make_missing_normals(primitive);
   scene.primitives[0] = std::move(primitive);
@@ -315,7 +315,7 @@ TEST(Gutters, MirroredHalvesOnTheSameTexels) {
 }
 
 TEST(Gutters, SurviveDegenerateTriangles) {
-  Scene scene = sphere(0.01, 8);
+  AssetData scene = sphere(0.01, 8);
   Primitive& p = scene.primitives[0];
   p.indices.insert(p.indices.end(), {0, 0, 1, 5, 5, 5, 0, 1, 2});
   // flat on the map
@@ -331,7 +331,7 @@ TEST(Gutters, SurviveDegenerateTriangles) {
 }
 
 TEST(Gutters, GiveUpOnManifoldOverlap) {
-  Scene scene = plane(0.05);
+  AssetData scene = plane(0.05);
   Primitive& p = scene.primitives[0];
   const std::vector<std::uint32_t> quad = p.indices;
   for (int i = 0; i < 70; ++i) p.indices.insert(p.indices.end(), quad.begin(), quad.end());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Distances from the open borders of a mesh.
-#include "scene/open_border.h"
+#include "head/scene/surface/open_border.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "unit/scene/skin_meshes.h"
 
 namespace dermis::scene {

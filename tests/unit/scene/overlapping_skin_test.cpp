@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "scene/overlapping_skin.h"
+#include "head/scene/surface/overlapping_skin.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "core/error.h"
-#include "scene/limits.h"
-#include "scene/primitives.h"
-#include "scene/unwrap.h"
+#include "base/core/error.h"
+#include "head/scene/import/limits.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::scene {
 namespace {
@@ -20,10 +20,10 @@ struct Square {
 };
 
 /// One node, a material of skin for each square.
-Scene node_of(const std::vector<Square>& squares) {
-  Scene scene;
+AssetData node_of(const std::vector<Square>& squares) {
+  AssetData scene;
   for (const Square& square : squares) {
-    Scene sheet = plane(0.05, glm::dmat2(1), {}, 4);
+    AssetData sheet = plane(0.05, glm::dmat2(1), {}, 4);
     Primitive primitive = sheet.primitives[0];
     for (Vertex& v : primitive.vertices) v.uv0 = square.corner + square.side * v.uv0;
     primitive.node = 3;
@@ -35,7 +35,7 @@ Scene node_of(const std::vector<Square>& squares) {
   return scene;
 }
 
-std::vector<int> triangles_of(const Scene& scene) {
+std::vector<int> triangles_of(const AssetData& scene) {
   std::vector<int> count;
   for (const SkinMesh& mesh : skin_meshes(scene)) count.push_back(static_cast<int>(mesh.indices.size() / 3));
   return count;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <span>
 
-#include "core/file.h"
-#include "scene/tangents.h"
+#include "base/core/file.h"
+#include "head/scene/surface/tangents.h"
 #include "support/assets.h"
 
 namespace dermis::scene::test {
@@ -25,7 +25,7 @@ T value_at(std::span<const std::byte> bytes, std::size_t offset) {
 
 }  // namespace
 
-std::optional<Scene> load_scan() {
+std::optional<AssetData> load_scan() {
   const std::filesystem::path path = tests::asset_cache() / "lee-perry-smith" / "LeePerrySmith.glb";
   if (!std::filesystem::exists(path)) return std::nullopt;
 
@@ -49,7 +49,7 @@ std::optional<Scene> load_scan() {
   make_missing_normals(primitive);
   make_tangents(primitive, glm::mat3x2(1, 0, 0, -1, 0, 1));
 
-  Scene scene;
+  AssetData scene;
   scene.name = "scan";
   scene.materials.push_back(material("skin", true));
   scene.primitives.push_back(std::move(primitive));

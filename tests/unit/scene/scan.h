@@ -4,13 +4,13 @@
 
 #include <optional>
 
-#include "scene/scene.h"
+#include "head/scene/asset_data.h"
 
 namespace dermis::scene::test {
 
 /// One skin primitive in metres (1 unit of the file = 0.053 m), coordinates as in the file (v up), tangents
 /// made for v down. None where the asset cache lacks it.
-std::optional<Scene> load_scan();
+std::optional<AssetData> load_scan();
 
 Material material(const std::string& name, bool skin);
 

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.h"
-#include "scene/unwrap.h"
+#include "head/scene/asset_data.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::scene {
 
-inline SkinMesh only_mesh(const Scene& scene) {
+inline SkinMesh only_mesh(const AssetData& scene) {
   std::vector<SkinMesh> meshes = skin_meshes(scene);
   EXPECT_EQ(meshes.size(), 1u);
   return std::move(meshes.at(0));

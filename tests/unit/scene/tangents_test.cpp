@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "scene/tangents.h"
+#include "head/scene/surface/tangents.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "head/scene/import/primitives.h"
 #include "scan.h"
-#include "scene/primitives.h"
 
 namespace dermis::scene {
 namespace {
@@ -84,7 +84,7 @@ TEST(Tangents, MirroredPlaneSplitsTheSeam) {
 }
 
 TEST(Tangents, DegenerateCoordinatesGiveAnyOrthonormalFrame) {
-  Scene scene = sphere(0.1, 4);
+  AssetData scene = sphere(0.1, 4);
   Primitive p = scene.primitives[0];
   for (Vertex& v : p.vertices) v.uv0 = {0.25f, 0.5f};
   make_tangents(p, identity);

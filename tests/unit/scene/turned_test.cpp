@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scene/turned.h"
+#include "head/scene/surface/turned.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 
 namespace dermis::scene {
 namespace {

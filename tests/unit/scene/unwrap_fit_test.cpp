@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texture coordinates that leave most of the map empty, or that no map can hold.
-#include "scene/unwrap_fit.h"
+#include "head/scene/surface/unwrap_fit.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/coverage.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
+#include "head/scene/surface/coverage.h"
 #include "skin_meshes.h"
 #include "support/log_lines.h"
 
@@ -17,17 +17,17 @@ namespace dermis::scene {
 namespace {
 
 /// The sphere of six charts with uv = factor * uv + offset.
-Scene moved_sphere(const glm::dmat2& factor, const glm::dvec2& offset = {}) {
-  Scene scene = sphere(0.1, 12);
+AssetData moved_sphere(const glm::dmat2& factor, const glm::dvec2& offset = {}) {
+  AssetData scene = sphere(0.1, 12);
   for (Vertex& v : scene.primitives[0].vertices) v.uv0 = glm::vec2(factor * glm::dvec2(v.uv0) + offset);
   return scene;
 }
 
-Scene scaled_sphere(double factor, const glm::dvec2& offset = {}) {
+AssetData scaled_sphere(double factor, const glm::dvec2& offset = {}) {
   return moved_sphere(glm::dmat2(factor), offset);
 }
 
-double mean_density(const Scene& scene) { return unwrap_density(only_mesh(scene), 1000).uv_per_mm.mean; }
+double mean_density(const AssetData& scene) { return unwrap_density(only_mesh(scene), 1000).uv_per_mm.mean; }
 
 std::size_t chartless(const SkinMesh& mesh) {
   return static_cast<std::size_t>(
@@ -50,7 +50,7 @@ TEST(UnwrapFit, ASmallUnwrapGetsTheWholeMap) {
     for (const double offset : {0.0, 0.3}) {
       SCOPED_TRACE(fmt::format("scale {}, offset {}", scale, offset));
       tests::LogLines warnings;
-      const Scene scene = scaled_sphere(scale, glm::dvec2(offset));
+      const AssetData scene = scaled_sphere(scale, glm::dvec2(offset));
       const SkinMesh mesh = only_mesh(scene);
       EXPECT_EQ(mesh.charts, 6);
       EXPECT_EQ(chartless(mesh), 0u);
@@ -69,7 +69,7 @@ TEST(UnwrapFit, FlippedAndTurnedOnes) {
 
 TEST(UnwrapFit, WhatFillsAQuarterStaysAsItIs) {
   for (const double scale : {1.0, 0.6}) {
-    const Scene scene = scaled_sphere(scale);
+    const AssetData scene = scaled_sphere(scale);
     const SkinMesh mesh = only_mesh(scene);
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) ASSERT_EQ(mesh.unwrap[v], mesh.vertices[v].uv0);
   }
@@ -77,10 +77,10 @@ TEST(UnwrapFit, WhatFillsAQuarterStaysAsItIs) {
 
 // Squeezed coordinates are stretched again; a band of skin that is even already is not torn apart for it.
 TEST(UnwrapFit, AxesGrowUntilOneIsTwiceAsFine) {
-  const Scene squeezed = moved_sphere(glm::dmat2(0.02, 0, 0, 1));
+  const AssetData squeezed = moved_sphere(glm::dmat2(0.02, 0, 0, 1));
   EXPECT_GE(mean_density(squeezed), 0.9 * mean_density(scaled_sphere(1)));
 
-  Scene band = plane(0.1);
+  AssetData band = plane(0.1);
   for (Vertex& v : band.primitives[0].vertices) v.position_m.y *= 0.05f, v.uv0.y *= 0.05f;
   const SkinMesh mesh = only_mesh(band);
   EXPECT_NEAR(mesh.unwrap_scale.x, 1, 1e-12);
@@ -90,7 +90,7 @@ TEST(UnwrapFit, AxesGrowUntilOneIsTwiceAsFine) {
 TEST(UnwrapFit, AStrayTriangleDoesNotShrinkTheRest) {
   for (const float far : {10.0f, 30.0f, 100.0f}) {
     SCOPED_TRACE(far);
-    Scene scene = scaled_sphere(0.1);
+    AssetData scene = scaled_sphere(0.1);
     Primitive& p = scene.primitives[0];
 
     // Move two corners of the first triangle far away on the map.
@@ -116,7 +116,7 @@ TEST(UnwrapFit, AStrayTriangleDoesNotShrinkTheRest) {
 }
 
 TEST(UnwrapFit, ACubeWithOneTriangleFarAway) {
-  Scene scene = sphere(0.1, 1);  // twelve triangles: each is 8 % of the skin
+  AssetData scene = sphere(0.1, 1);  // twelve triangles: each is 8 % of the skin
   Primitive& p = scene.primitives[0];
   for (std::uint32_t k = 0; k < 3; ++k) {
     Vertex v = p.vertices[p.indices[k]];
@@ -130,7 +130,7 @@ TEST(UnwrapFit, ACubeWithOneTriangleFarAway) {
 }
 
 TEST(UnwrapFit, TwoHalvesFarApartShareTheMap) {
-  Scene scene = scaled_sphere(0.5);
+  AssetData scene = scaled_sphere(0.5);
   for (Vertex& v : scene.primitives[0].vertices)
     if (v.uv0.x > 0.25f) v.uv0.x += 100;
   tests::LogLines warnings;
@@ -141,7 +141,7 @@ TEST(UnwrapFit, TwoHalvesFarApartShareTheMap) {
 }
 
 TEST(UnwrapFit, TrianglesWithoutAreaHaveNoChart) {
-  Scene scene = scaled_sphere(1);
+  AssetData scene = scaled_sphere(1);
   Primitive& p = scene.primitives[0];
   for (std::size_t t = 0; t < p.indices.size() / 3; t += 2)
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "scene/unwrap.h"
+#include "head/scene/surface/unwrap.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
+#include "head/scene/import/primitives.h"
 #include "scan.h"
-#include "scene/primitives.h"
 #include "skin_meshes.h"
 #include "support/log_lines.h"
 
@@ -84,7 +84,7 @@ TEST(Metric, DensityOfAPlane) {
 }
 
 TEST(Metric, DegenerateTrianglesDoNotDisturb) {
-  Scene scene = plane(0.05, glm::dmat2(1), {}, 4);
+  AssetData scene = plane(0.05, glm::dmat2(1), {}, 4);
   Primitive& p = scene.primitives[0];
   p.indices.insert(p.indices.end(), {3, 3, 4, 0, 1, 2});  // a point twice; three points on a line
   const auto n = static_cast<std::uint32_t>(p.vertices.size());
@@ -98,7 +98,7 @@ TEST(Metric, DegenerateTrianglesDoNotDisturb) {
 }
 
 TEST(Metric, NothingValidStillPositiveDefinite) {
-  Scene scene = plane(0.05);
+  AssetData scene = plane(0.05);
   for (Vertex& v : scene.primitives[0].vertices) v.uv0 = glm::vec2(0.5f);
   const SkinMesh mesh = only_mesh(scene);
   for (const glm::vec3& g : mesh.metric) EXPECT_GT(g.x * g.z - g.y * g.y, 0);
@@ -108,7 +108,8 @@ TEST(Metric, NothingValidStillPositiveDefinite) {
 // Coordinates that span 1e-30 of the map, or a skin of 1e-25 m, squared: past what a float can be.
 TEST(Metric, FloatsHoldItWhateverTheSizes) {
   tests::LogLines quiet;
-  for (const Scene& scene : {plane(0.05, glm::dmat2(1e-30)), plane(1e-25), plane(1e9, glm::dmat2(1e-9))}) {
+  for (const AssetData& scene :
+       {plane(0.05, glm::dmat2(1e-30)), plane(1e-25), plane(1e9, glm::dmat2(1e-9))}) {
     SkinMesh mesh = only_mesh(scene);
     for (const double mm_per_unit : {1e-6, 1e3, 1e9}) {
       compute_metric(mesh, mm_per_unit);
@@ -123,7 +124,7 @@ TEST(Metric, FloatsHoldItWhateverTheSizes) {
 TEST(Metric, NeverAveragedAcrossAMirror) {
   // Two quads side by side that show the same half of the map, the left one mirrored and twice as wide in the
   // world.
-  Scene scene = plane(0.05);
+  AssetData scene = plane(0.05);
   Primitive& p = scene.primitives[0];
   p.vertices.clear();
   for (const float y : {0.f, 1.f})
@@ -172,7 +173,7 @@ TEST(Unwrap, MovesByWholeTilesElseFits) {
 }
 
 TEST(Unwrap, JoinsTheSkinOfANodeAndLeavesTheRest) {
-  Scene scene = plane(0.05);
+  AssetData scene = plane(0.05);
   scene.materials.push_back(test::material("eyes", false));
   scene.materials.push_back(test::material("skin 2", true));
   Primitive more = scene.primitives[0];
@@ -187,7 +188,7 @@ TEST(Unwrap, JoinsTheSkinOfANodeAndLeavesTheRest) {
 }
 
 TEST(Unwrap, ManyChartsWrapTheirIds) {
-  Scene scene = plane(0.05);
+  AssetData scene = plane(0.05);
   Primitive& p = scene.primitives[0];
   const Primitive quad = p;
   p.vertices.clear(), p.indices.clear();
@@ -233,7 +234,7 @@ TEST(Unwrap, Scan) {
 }
 
 TEST(SkinMesh, SkinWithoutCoordinatesIsOneMeshAMaterial) {
-  Scene scene = sphere(0.1, 2);
+  AssetData scene = sphere(0.1, 2);
   const Primitive ball = scene.primitives[0];
   for (int node = 1; node <= 500; ++node) {
     scene.primitives.push_back(ball);

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Asset asset_of(const fs::path& file, const SceneOptions& options = {}) {
-  auto data = std::make_shared<scene::Scene>();
+  auto data = std::make_shared<scene::AssetData>();
   data->name = file.empty() ? "built-in" : file.filename().string();
   return Asset::State::make(std::move(data), Asset::State::Source{.file = file, .options = options});
 }
@@ -144,7 +144,8 @@ TEST(SceneFile, NamesItsFilesFromWhereItLies) {
 TEST(SceneFile, ThatCannotBeIsRefused) {
   Scene scene;
   scene.add({.asset = asset_of({})});
-  scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>(scene::Scene{.name = "mine"})),
+  scene.add({.asset = Asset::State::make(
+                 std::make_shared<const scene::AssetData>(scene::AssetData{.name = "mine"})),
              .name = "left"});
   const auto refused = [&] {
     return thrown<InputError>([&] { api::scene_file_text(scene, "/a/scene.json"); });
@@ -167,7 +168,7 @@ TEST(SceneFile, ThatCannotBeIsRefused) {
   EXPECT_NE(refused().find("not UTF-8"), std::string::npos) << refused();
 
   // A glTF file may have such a light.
-  auto glaring = std::make_shared<scene::Scene>();
+  auto glaring = std::make_shared<scene::AssetData>();
   glaring->lights.push_back({.name = "sun", .colour = glm::vec3(1e10f)});
   scene = Scene(Asset::State::make(std::move(glaring), Asset::State::Source{}));
   EXPECT_NE(refused().find("lights[0]: light.colour must be 0 to 1e9"), std::string::npos) << refused();
@@ -180,7 +181,7 @@ TEST(SceneFile, IsWrittenWholeOrNotAtAll) {
   const std::string text = read_text(path);
 
   Scene scene;
-  scene.add({.asset = Asset::State::make(std::make_shared<const scene::Scene>())});
+  scene.add({.asset = Asset::State::make(std::make_shared<const scene::AssetData>())});
   EXPECT_THROW(scene.save(path), InputError);
   EXPECT_EQ(read_text(path), text);
   EXPECT_THROW(Scene().save(folder.path() / "none" / "scene.json"), InputError);

@@ -9,13 +9,13 @@
 #include <set>
 #include <string>
 
+#include "base/settings/check.h"
+#include "base/settings/fields.h"
+#include "base/settings/json.h"
+#include "base/settings/names.h"
+#include "base/settings/profile_fields.h"
+#include "base/settings/scene_fields.h"
 #include "dermis/error.h"
-#include "settings/check.h"
-#include "settings/fields.h"
-#include "settings/json.h"
-#include "settings/names.h"
-#include "settings/profile_fields.h"
-#include "settings/scene_fields.h"
 #include "support/written_table.h"
 
 namespace dermis {

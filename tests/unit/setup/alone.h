@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 
 namespace dermis::setup {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "setup/background.h"
+#include "render/setup/background.h"
 
 #include <gtest/gtest.h>
 
 #include "alone.h"
 #include "dermis/error.h"
-#include "setup/frame_setup.h"
+#include "render/setup/frame_setup.h"
 #include "support/built_in.h"
 
 namespace dermis::setup {
@@ -30,7 +30,7 @@ TEST(BackgroundNames, OthersAreRefused) {
 
 // A host's own picture lies behind the heads.
 TEST(BackgroundNames, AHostHasNone) {
-  const Subject head = examine(std::make_shared<scene::Scene>(tests::built_in_head()));
+  const Subject head = examine(std::make_shared<scene::AssetData>(tests::built_in_head()));
   RenderSettings settings;
   settings.output.background = "studio";
   EXPECT_EQ(set_up_alone(head, settings).plan.behind.kind, Kind::studio);

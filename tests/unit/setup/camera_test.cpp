@@ -13,12 +13,12 @@
 
 #include "alone.h"
 #include "dermis/error.h"
-#include "reference/camera_ray.h"
-#include "scene/framing.h"
-#include "scene/primitives.h"
-#include "setup/camera_matrices.h"
-#include "setup/frame_camera.h"
+#include "head/scene/framing.h"
+#include "head/scene/import/primitives.h"
+#include "render/setup/camera_matrices.h"
+#include "render/setup/frame_camera.h"
 #include "support/thrown.h"
+#include "truth/reference/camera_ray.h"
 
 namespace dermis::setup {
 namespace {
@@ -207,7 +207,7 @@ TEST(Matrices, AnOrthographicCameraSeesWhatLiesBeforeIt) {
 
 // Where the camera stands around a head and how far from it are settings of their own.
 TEST(ChosenCamera, OrbitsAtItsDistance) {
-  const Subject subject = examine(std::make_shared<const scene::Scene>(scene::sphere(0.1)));
+  const Subject subject = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
   RenderSettings s;
   const auto eye_m = [&] { return glm::dvec3(set_up_alone(subject, s).frame.camera.eye_m); };
   s.camera.orbit_deg = {70, 20};

@@ -7,17 +7,17 @@
 
 #include "alone.h"
 #include "dermis/error.h"
-#include "scene/primitives.h"
-#include "setup/frame_setup.h"
+#include "head/scene/import/primitives.h"
+#include "render/setup/frame_setup.h"
 #include "support/thrown.h"
 
 namespace dermis::setup {
 namespace {
 
 FrameSetup set_up_under(LightType type) {
-  scene::Scene made = scene::plane(0.1);
+  scene::AssetData made = scene::plane(0.1);
   made.lights.push_back({.name = "lamp", .type = type, .position_m = {0, 0, 1}});
-  return set_up_alone(examine(std::make_shared<const scene::Scene>(std::move(made))), RenderSettings{});
+  return set_up_alone(examine(std::make_shared<const scene::AssetData>(std::move(made))), RenderSettings{});
 }
 
 TEST(Lights, EachTypeHasItsNumber) {

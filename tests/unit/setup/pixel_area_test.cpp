@@ -6,9 +6,9 @@
 #include <random>
 #include <vector>
 
-#include "scene/enclosure.h"
-#include "scene/framing.h"
-#include "setup/frame_camera.h"
+#include "head/scene/framing.h"
+#include "head/scene/surface/enclosure.h"
+#include "render/setup/frame_camera.h"
 #include "support/built_in.h"
 
 namespace dermis::setup {
@@ -23,7 +23,7 @@ struct Head {
 
 const Head& built_in() {
   static const Head made = [] {
-    const scene::Scene& scene = tests::built_in_head();
+    const scene::AssetData& scene = tests::built_in_head();
     Head h{.points_m = {},
            .corners_m = scene::enclosing_corners(scene),
            .sphere = scene::bounding_sphere(scene, [](const scene::Primitive&) { return true; })};

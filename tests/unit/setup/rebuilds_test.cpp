@@ -8,13 +8,13 @@
 #include <map>
 
 #include "alone.h"
+#include "base/settings/fields.h"
+#include "base/settings/names.h"
 #include "dermis/error.h"
 #include "environment/environment.h"
 #include "environment/sources.h"
-#include "settings/fields.h"
-#include "settings/names.h"
-#include "setup/environment_light.h"
-#include "setup/frame_setup.h"
+#include "render/setup/environment_light.h"
+#include "render/setup/frame_setup.h"
 #include "support/built_in.h"
 #include "support/files.h"
 
@@ -41,16 +41,16 @@ constexpr Exception exceptions[] = {
 };
 
 Subject head() {
-  auto scene = std::make_shared<scene::Scene>(tests::built_in_head());
+  auto scene = std::make_shared<scene::AssetData>(tests::built_in_head());
   scene->cameras.push_back({.name = "side"});
   return examine(std::move(scene));
 }
 
 Subject skin_alone() {
-  scene::Scene scene = tests::built_in_head();
+  scene::AssetData scene = tests::built_in_head();
   scene.primitives.resize(1);
   scene.rig = nullptr;
-  return examine(std::make_shared<scene::Scene>(std::move(scene)));
+  return examine(std::make_shared<scene::AssetData>(std::move(scene)));
 }
 
 /// A file: a profile that knows its medium.
@@ -151,7 +151,7 @@ struct Tried {
 // Whatever moves the camera makes a new plan where a head comes close or goes far away: that is no row's.
 void leave_out_close_ups(techniques::FrameSettings& plan, const techniques::FrameSettings& before) {
   if (!plan.mixes() || !before.mixes() || plan.skin.size() != before.skin.size()) return;
-  const auto same = [](const techniques::SkinPart& a, const techniques::SkinPart& b) {
+  const auto same = [](const techniques::SkinMesh& a, const techniques::SkinMesh& b) {
     return a.map_size == b.map_size && a.first_mapped == b.first_mapped && a.reads_entered == b.reads_entered;
   };
   if (std::ranges::equal(plan.skin, before.skin, same)) return;

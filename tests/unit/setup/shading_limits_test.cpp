@@ -2,10 +2,10 @@
 // What ids tell apart, and what the lists of the entries hold.
 #include <gtest/gtest.h>
 
-#include "passes/gpu_scene.h"
-#include "passes/pixel_area.h"
-#include "shared/entries_io.h"
-#include "techniques/technique.h"
+#include "render/passes/asset/gpu_asset.h"
+#include "render/passes/pixels/pixel_area.h"
+#include "render/shared/entries_io.h"
+#include "render/techniques/technique.h"
 
 namespace dermis::tests {
 namespace {

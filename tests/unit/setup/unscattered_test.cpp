@@ -7,7 +7,7 @@
 
 #include "alone.h"
 #include "dermis/error.h"
-#include "scene/primitives.h"
+#include "head/scene/import/primitives.h"
 #include "support/files.h"
 #include "support/thrown.h"
 
@@ -28,7 +28,7 @@ class Unscattered : public testing::Test {
   }
 
   tests::TempFolder folder_;
-  Subject ball_ = examine(std::make_shared<const scene::Scene>(scene::sphere(0.1)));
+  Subject ball_ = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
 };
 
 TEST_F(Unscattered, CountsAsAGaussian) {

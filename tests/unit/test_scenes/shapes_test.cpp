@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "cli/test_scenes/shapes.h"
-#include "scene/topology.h"
-#include "scene/unwrap.h"
+#include "head/scene/surface/topology.h"
+#include "head/scene/surface/unwrap.h"
 
 namespace dermis::cli::test_scenes {
 namespace {
@@ -37,7 +37,7 @@ std::size_t open_edges(const scene::Primitive& p) {
 }
 
 TEST(Shapes, NormalsAgreeWithTriangles) {
-  for (const scene::Scene& scene :
+  for (const scene::AssetData& scene :
        {lit_half_plane(LitHalf::below_x, 0), lit_half_plane(LitHalf::below_y, 0.01), nose_on_cheek(),
         thin_lens(), open_curl(), fringe()}) {
     SCOPED_TRACE(scene.name);
@@ -62,7 +62,7 @@ TEST(Shapes, NormalsAgreeWithTriangles) {
 }
 
 TEST(Shapes, TheEdgeIsWhereItIsSaid) {
-  const scene::Scene plane = lit_half_plane(LitHalf::below_y, -0.02);
+  const scene::AssetData plane = lit_half_plane(LitHalf::below_y, -0.02);
   ASSERT_EQ(plane.primitives.size(), 2u);
   EXPECT_EQ(plane.materials[0].base_colour.x, 1);
   EXPECT_EQ(plane.materials[1].base_colour.x, 0);
@@ -84,7 +84,7 @@ TEST(Shapes, WhatLightGoesThroughIsClosedAndAsThickAsItIsSaid) {
 }
 
 TEST(Shapes, TheNoseStandsOnTheCheek) {
-  const scene::Scene nose = nose_on_cheek();
+  const scene::AssetData nose = nose_on_cheek();
   float top = 0;
   for (const scene::Vertex& v : nose.primitives.front().vertices) top = std::max(top, v.position_m.z);
   EXPECT_NEAR(top, 0.028f, 1e-4f);

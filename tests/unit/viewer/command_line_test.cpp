@@ -6,10 +6,10 @@
 
 #include <type_traits>
 
+#include "base/settings/fields.h"
+#include "base/settings/names.h"
 #include "cli/command.h"
 #include "cli/command_line.h"
-#include "settings/fields.h"
-#include "settings/names.h"
 
 namespace dermis::viewer {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "settings/json.h"
+#include "base/settings/json.h"
 #include "support/files.h"
 #include "support/thrown.h"
 #include "unit/viewer/documents.h"

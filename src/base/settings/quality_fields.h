@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// The settings of quality, a row for each. Part of fields.h.
+#pragma once
+
+#include <array>
+
+#include "base/core/fields.h"
+#include "dermis/settings.h"
+
+namespace dermis {
+
+template <>
+inline constexpr auto fields_of<QualitySettings> = std::tuple{
+    Field{"map_size",
+          &QualitySettings::map_size,
+          {.help = "side of the light maps, at most",
+           .unit = "texels",
+           .least = 32,
+           .most = 65536,
+           .option = "map-size",
+           .common = true,
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"shadow_size",
+          &QualitySettings::shadow_size,
+          {.help = "side of a shadow map",
+           .unit = "texels",
+           .least = 32,
+           .most = 65536,
+           .option = "shadow-size",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"samples",
+          &QualitySettings::samples,
+          {.help = "anti-aliasing, 1 or 4 samples per pixel",
+           .least = 1,
+           .most = 4,
+           .option = "samples",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"light_samples",
+          &QualitySettings::light_samples,
+          {.help = "points at which skin is lit in a pixel that one surface covers, 1 or 2",
+           .least = 1,
+           .most = 2,
+           .rebuilds = true,
+           .real_time = true}},
+
+    Field{"cull",
+          &QualitySettings::cull,
+          {.help = "leave out skin that faces away",
+           .option = "optimise",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"depth",
+          &QualitySettings::depth,
+          {.help = "leave out map texels that the distance does not need",
+           .option = "optimise",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"clip",
+          &QualitySettings::clip,
+          {.help = "leave out skin outside the picture",
+           .option = "optimise",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{"skip_unseen_heads",
+          &QualitySettings::skip_unseen_heads,
+          {.help = "leave out heads wholly outside the picture",
+           .none = "true if anything is optimised",
+           .real_time = true}},
+    Field{"keep_shadows",
+          &QualitySettings::keep_shadows,
+          {.help = "shadow maps of heads and lights that have not moved are not drawn again",
+           .rebuilds = true,
+           .real_time = true}},
+
+    Field{"mask",
+          &QualitySettings::mask,
+          {.help = "way in which convolutions of published skip unlit texels",
+           .none = "depth",
+           .rebuilds = true,
+           .real_time = true}},
+
+    Field{"kernel",
+          &QualitySettings::kernel,
+          {.help = "of techniques in screen space: the profile of the skin, in mm, or the one of its "
+                   "publication. Of burley-disc also the profile as Unreal Engine weighs it",
+           .option = "kernel",
+           .rebuilds = true,
+           .real_time = true}},
+    Field{
+        "taps",
+        &QualitySettings::taps,
+        {.help = "of the kernels of techniques in screen space. screen-gaussians: 5 to 13, odd. separable: 3 "
+                 "to 33, odd. burley-disc: 1 to 4096. pre-integrated, of its filter of shadows: 1 to 1024",
+         .least = 1,
+         .most = 4096,
+         .none = "screen-gaussians 13, separable 25, burley-disc 64, pre-integrated 32",
+         .rebuilds = true,
+         .real_time = true}},
+
+    Field{"d_ref",
+          &QualitySettings::d_ref,
+          {.help = "distance up to which light maps have their full size",
+           .unit = "radii",
+           .least = 1e-6,
+           .most = 1e6,
+           .none = "where a texel is as large as a pixel",
+           .real_time = true}},
+    Field{"clip_margin_mm",
+          &QualitySettings::clip_margin_mm,
+          {.help = "skin this far outside the picture is still lit",
+           .unit = "mm",
+           .least = 0,
+           .most = 1e6,
+           .none = "the profile's reach, 3 sigma of its widest Gaussian",
+           .real_time = true}},
+    Field{"map_budget_mb",
+          &QualitySettings::map_budget_mb,
+          {.help = "memory for light maps; skin that does not fit together goes in batches",
+           .unit = "MB",
+           .least = 0,
+           .most = 1e9,
+           .none = "four maps of full size or 512, at most a quarter of the device's",
+           .option = "map-budget",
+           .rebuilds = true,
+           .real_time = true}}};
+
+template <>
+inline constexpr std::array gone_from<QualitySettings>{
+    Gone{"blur", {}, "texture-space blurs narrow to wide, on one size of maps"},
+    Gone{"blur_resolution", {}, "techniques in screen space blur the picture itself"},
+    Gone{"maps", {}, "texture-space blurs narrow to wide, on one size of maps"},
+    Gone{"irradiance", {}, "the texels of light maps are always lit in compute"},
+    Gone{"shading", {}, "skin is always shaded in compute"},
+    Gone{"mask", "tiles",
+         "texture-space always blurs tiles, and published has no other masks than alpha and depth"}};
+
+}  // namespace dermis

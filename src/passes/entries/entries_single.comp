@@ -1,3 +1,0 @@
-// SPDX-License-Identifier: MIT
-#version 460
-#include "passes/entries/entries.glsl"

@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-#version 460
-#define LAYER 0
-#include "passes/entries/resolve_entries.glsl"

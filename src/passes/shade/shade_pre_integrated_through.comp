@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-#version 460
-#define THROUGH
-#include "passes/shade/shade_pre_integrated.glsl"

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/light_map/light_pool.h"
+
+#include "base/core/assert.h"
+
+namespace dermis::passes {
+
+VkRect2D UsedSquare::area() const {
+  return {{static_cast<std::int32_t>(origin.x), static_cast<std::int32_t>(origin.y)}, {side, side}};
+}
+
+MappedTerms terms_of(const FrameData& frame, const MapSquare& square) {
+  const std::vector<MappedTerms>& terms = instance_of(frame, square).mapped_terms;
+  return terms.empty() ? MappedTerms{} : terms[mesh_in_asset(frame, square)];
+}
+
+UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
+  const Instance& instance = instance_of(frame, square);
+  UsedSquare used{square};
+  used.side = instance.map_side;
+  if (instance.map_places.empty()) return used;
+
+  const MapPlace& place = instance.map_places[mesh_in_asset(frame, square)];
+  used.index = place.index;
+  used.origin = place.cell * place.side;
+  DERMIS_ASSERT_LE(used.side, place.side);
+  return used;
+}
+
+std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {
+  std::vector<UsedSquare> used;
+  for (const MapSquare& square : squares)
+    if (instance_of(frame, square).visible && terms_of(frame, square).any)
+      used.push_back(used_square(frame, square));
+  return used;
+}
+
+std::vector<UsedSquare> blurred_squares(const FrameData& frame, const std::vector<MapSquare>& squares,
+                                        std::uint32_t step) {
+  std::vector<UsedSquare> used = used_squares(frame, squares);
+  std::erase_if(used, [&](const UsedSquare& s) { return terms_of(frame, s).first_step > step; });
+  return used;
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/// The place where the skin of a head is lit and blurred: a square in a pool of textures that all heads of a
+///   batch share.
+/// Based on: [JG08] sec. 4: memory is allocated once for the largest map; a smaller one uses a corner of it
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "frame/graph.h"
+#include "render/passes/frame_data.h"
+
+namespace dermis::passes {
+
+/// Light of one skin mesh of one head. Each frame sets its position in the maps and the used part of its
+/// square: Instance::map_places, Instance::map_side.
+struct MapSquare {
+  std::uint32_t instance = 0;
+  std::uint32_t mesh = 0;  ///< among the skin meshes of the plan
+};
+
+inline const Instance& instance_of(const FrameData& frame, const MapSquare& square) {
+  return frame.instances[square.instance];
+}
+/// Returns the number of the mesh among those of its asset.
+inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& square) {
+  return square.mesh - instance_of(frame, square).first_mesh;
+}
+
+/// Returns which terms are read from the maps of a square in this frame.
+MappedTerms terms_of(const FrameData& frame, const MapSquare& square);
+
+/// A square as a frame uses it.
+struct UsedSquare : MapSquare {
+  std::uint32_t index = 0;  ///< of the square in its pool
+  glm::uvec2 origin{0};     ///< texels
+  std::uint32_t side = 0;   ///< of the used part, texels
+  VkRect2D area() const;
+};
+UsedSquare used_square(const FrameData& frame, const MapSquare& square);
+/// Returns the squares that hold light in this frame: of visible heads that read at least one term from them.
+std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
+/// Returns those whose chain of blurs has begun with this step of blur_steps(), or before.
+std::vector<UsedSquare> blurred_squares(const FrameData& frame, const std::vector<MapSquare>& squares,
+                                        std::uint32_t step);
+
+}  // namespace dermis::passes

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/light_map/tiles/tiles.h"
+
+#include <algorithm>
+
+#include "frame/resources.h"
+#include "render/passes/asset/gutter_list.h"
+#include "render/passes/asset/posed.h"
+#include "render/passes/bindings.h"
+#include "render/passes/light_map/cull.h"
+#include "render/passes/light_map/tiles/tiles_io.h"
+#include "render/shared/tiles_io.h"
+
+namespace dermis::passes {
+namespace {
+
+constexpr float bilinear = 1;  // texels beside a point that a read there touches
+
+}  // namespace
+
+SeenTiles::Out SeenTiles::declare(frame::Declare& d) {
+  compute(d, "seen_tiles.comp", {{"cull", settings.cull ? 1u : 0u}, {"clip", settings.clip ? 1u : 0u}});
+  d.write(in.lists.marks);
+  return {};
+}
+
+void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    const Instance& instance = instance_of(frame, square);
+    const std::uint32_t number = mesh_in_asset(frame, square);
+    Bindings bindings;
+    bindings.add("Frame", frame.frame_io)
+        .add("Head", instance.io)
+        .add("TileMarks", resources.buffer(in.lists.marks));
+    offer_mesh(instance, number, bindings);
+    bindings.bind(cmd, pipeline());
+
+    const std::vector<GpuDraw>& draws = instance.scene->skin[number].draws;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+      io::SeenTilesIo io{
+          .cull = cull_io(instance, instance.look->material(draws[k].material)),
+          .first = draws[k].first_index / 3,
+          .count = 0,
+          .side = square.side,
+          .first_tile = square.index * in.lists.room,
+          .list = in.lists.of_material(square, k) - square.index * in.lists.lists,
+          .reach = bilinear + settings.exit_offsets[square.mesh] * static_cast<float>(square.side)};
+      const std::uint32_t end = (draws[k].first_index + draws[k].index_count) / 3;
+      for (; io.first < end; io.first += io.count) {
+        io.count = std::min(end - io.first, gpu::most_in_row);
+        dispatch(cmd, io, io.count, 1);
+      }
+    }
+  }
+}
+
+GutterTiles::Out GutterTiles::declare(frame::Declare& d) {
+  compute(d, "gutter_tiles.comp");
+  d.write(in.lists.marks);
+  return {};
+}
+
+void GutterTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
+    const GpuMesh& mesh = instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
+    const auto found = mesh.gutters.find(square.side);
+    if (found == mesh.gutters.end() || found->second.count == 0) continue;
+
+    Bindings()
+        .add("Gutters", found->second.list)
+        .add("TileMarks", resources.buffer(in.lists.marks))
+        .bind(cmd, pipeline());
+    const io::GutterTilesIo io{
+        .count = found->second.count, .side = square.side, .first_tile = square.index * in.lists.room};
+    dispatch(cmd, io, gutter_invocations(io.count));
+  }
+}
+
+Tiles::Out Tiles::declare(frame::Declare& d) {
+  compute(d, "tiles.comp");
+  d.read(in.lists.marks);
+  d.write(in.lists.tiles);
+  d.write(in.lists.counts);
+  d.write(in.lists.arguments);
+  d.write(in.counters);
+  for (const frame::TextureId map : in.maps) d.write(map);
+  return {};
+}
+
+void Tiles::prepare(gpu::PipelineLibrary& library) {
+  ComputePass::prepare(library);
+  clear_ = &library.compute("clear_tiles.comp", {});
+}
+
+void Tiles::clear(gpu::Cmd& cmd, const frame::Resources& resources,
+                  const std::vector<UsedSquare>& squares) const {
+  for (const frame::TextureId map : in.maps) {
+    Bindings().add("light", resources.storage(map)).bind(cmd, *clear_);
+    for (const UsedSquare& square : squares) {
+      cmd.push(*clear_, io::ClearTilesIo{.origin = square.origin, .side = square.side});
+      cmd.dispatch_over(*clear_, square.side, square.side);
+    }
+  }
+}
+
+void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  Bindings()
+      .add("TileMarks", resources.buffer(in.lists.marks))
+      .add("Tiles", resources.buffer(in.lists.tiles))
+      .add("TileCounts", resources.buffer(in.lists.counts))
+      .add("TileArguments", resources.buffer(in.lists.arguments))
+      .add("Counters", resources.buffer(in.counters))
+      .bind(cmd, pipeline());
+  const std::vector<UsedSquare> squares = used_squares(frame, settings.squares);
+  for (const UsedSquare& square : squares) {
+    const io::TilesIo io{.side = square.side,
+                         .first_tile = square.index * in.lists.room,
+                         .first_list = square.index * in.lists.lists,
+                         .lists = in.lists.lists,
+                         .room = in.lists.room,
+                         .slot = settings.first_slot + settings.slots_per_instance * square.instance +
+                                 settings.slots_per_mesh * mesh_in_asset(frame, square)};
+    dispatch(cmd, io, (io.side + TILE_WIDTH - 1) / TILE_WIDTH, (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
+  }
+  clear(cmd, resources, squares);
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#include "render/passes/pixels/compose_entries/compose_entries.glsl"

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/pixels/host_depth/host_depth.h"
+
+#include "render/passes/asset/posed.h"
+#include "render/passes/draw_skin.h"
+#include "render/passes/pixels/host_depth/host_depth_io.h"
+#include "render/passes/targets.h"
+
+namespace dermis::passes {
+namespace {
+
+Instance shape_of(const HostDepthInstance& instance) {
+  return {.scene = instance.scene,
+          .look = instance.look,
+          .vertices = instance.vertices,
+          .posed = instance.posed,
+          .placements = instance.placements};
+}
+
+}  // namespace
+
+HostDepth::HostDepth(gpu::PipelineLibrary& library, const HostDepthFormat& format) {
+  for (const bool cut_out : {false, true})
+    for (const bool culled : {false, true})
+      pipelines_[cut_out][culled] =
+          &library.graphics({.vertex = "host_depth.vert",
+                             .fragment = cut_out ? "shadow.frag" : "",
+                             .constants = {},
+                             .colour_formats = {},
+                             .depth_format = format.format,
+                             .samples = format.samples,
+                             .cull = culled ? gpu::Cull::back : gpu::Cull::none,
+                             .depth_test = true,
+                             .depth_write = true,
+                             .depth_compare = PictureFormat{.reversed_depth = format.reversed}.nearer()});
+}
+
+void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
+                          const HostDepthTarget& target) const {
+  const Instance of_skin = shape_of(instance);
+  Bindings bindings;
+  bindings.add("Placements", instance.scene->unmoved);
+  for (std::size_t mesh = 0; mesh < instance.scene->skin.size(); ++mesh)
+    passes::draw_skin(
+        cmd, of_skin, mesh, bindings,
+        [&](const GpuDraw&, const GpuMaterial& material) {
+          return material.alpha_mode == AssetAlpha::blend ? nullptr : &pipeline_of(material, target.cull);
+        },
+        [&](const GpuDraw&, const GpuMaterial&) {
+          return io::HostDepthIo{.clip_from_world = target.clip_from_world, .instance = instance.transform};
+        });
+}
+
+void HostDepth::draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance,
+                              const HostDepthTarget& target) const {
+  const GpuSurfaces& surfaces = instance.scene->surfaces;
+  const Instance shape = shape_of(instance);
+  for (const GpuSurfaces::Group& group : surfaces.groups) {
+    const GpuMaterial& material = instance.look->material(group.material);
+    const gpu::Pipeline& pipeline = pipeline_of(material, target.cull);
+    Bindings bindings;
+    offer_page(shape, group.page, bindings);
+    material.offer(bindings);
+    bindings.bind(cmd, pipeline);
+    cmd.push(pipeline,
+             io::HostDepthIo{.clip_from_world = target.clip_from_world, .instance = instance.transform});
+    for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
+  }
+}
+
+void HostDepth::record(gpu::Cmd& cmd, const HostDepthTarget& target,
+                       std::span<const HostDepthInstance> instances) const {
+  cmd.begin_rendering_area({}, gpu::DepthTarget{.texture = target.depth}, target.area, target.y_down);
+  for (const HostDepthInstance& instance : instances) {
+    draw_skin(cmd, instance, target);
+    draw_surfaces(cmd, instance, target);
+  }
+  cmd.end_rendering();
+}
+
+}  // namespace dermis::passes

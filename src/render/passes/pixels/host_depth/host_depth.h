@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// Draws the depth of heads into an image of a host.
+#pragma once
+
+#include <vector>
+
+#include "gpu/pipelines.h"
+#include "render/passes/frame_data.h"
+#include "render/shared/instance_io.h"
+
+namespace dermis::passes {
+
+/// The images that it can draw into.
+struct HostDepthFormat {
+  VkFormat format = VK_FORMAT_D32_SFLOAT;
+  std::uint32_t samples = 1;
+  bool reversed = true;  ///< near is 1
+};
+
+/// An image, ready to be drawn to, and how it is looked at.
+struct HostDepthTarget {
+  const gpu::Texture* depth = nullptr;
+  VkRect2D area{};
+  glm::mat4 clip_from_world{1};
+  bool y_down = true;
+  bool cull = false;  ///< leaves out back faces, as the picture does
+};
+
+/// One instance: neither lights nor maps are needed.
+struct HostDepthInstance {
+  const GpuAsset* scene = nullptr;
+  const GpuLook* look = nullptr;
+  // As those of Instance.
+  std::span<const gpu::Buffer> vertices;
+  const PosedShape* posed = nullptr;
+  std::vector<gpu::BufferBinding> placements;
+  io::InstanceIo transform{};
+};
+
+class HostDepth {
+ public:
+  HostDepth(gpu::PipelineLibrary& library, const HostDepthFormat& format);
+
+  void record(gpu::Cmd& cmd, const HostDepthTarget& target,
+              std::span<const HostDepthInstance> instances) const;
+
+ private:
+  const gpu::Pipeline& pipeline_of(const GpuMaterial& material, bool cull) const {
+    return *pipelines_[material.alpha_mode == AssetAlpha::mask][cull && !material.double_sided];
+  }
+  void draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance, const HostDepthTarget& target) const;
+  void draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance, const HostDepthTarget& target) const;
+  const gpu::Pipeline* pipelines_[2][2] = {};  // [cut out][culled]
+};
+
+}  // namespace dermis::passes

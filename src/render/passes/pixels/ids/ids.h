@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+/// Draws the skin of all heads as ids and depth: what each sample shows, before anything is shaded.
+/// Based on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
+#pragma once
+
+#include <vector>
+
+#include "frame/graph.h"
+#include "render/passes/frame_data.h"
+#include "render/passes/light_map/light_pool.h"
+#include "render/shared/entries_io.h"
+
+namespace dermis::passes {
+
+/// A skin mesh of a head, and the number of the first of its parts: GpuDraw::parts.
+struct IdMesh {
+  MapSquare square;
+  std::uint32_t first_part = 0;
+};
+
+/// Returns the id of the first triangle of a part.
+constexpr std::uint32_t first_id(std::uint32_t part) { return (part + 1) << ID_TRIANGLE_BITS; }
+
+class Ids {
+ public:
+  struct Settings {
+    std::uint32_t samples = 1;   ///< of the depth
+    bool reversed_depth = true;  ///< near is 1
+    bool cut_out = false;        ///< some skin is cut out by its alpha
+    std::vector<IdMesh> meshes;  ///< of all heads
+    bool whole = false;          ///< clears depth beside the heads, too, which other passes read
+  } settings;
+  struct In {
+    frame::TextureId depth;                ///< cleared here
+    std::vector<frame::BufferId> buffers;  ///< lists that passes after it add to, likewise
+  } in;
+  struct Out {
+    frame::TextureId ids;  ///< RGBA8: render/shared/entries_io.h
+  };
+  Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
+  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  const gpu::Pipeline* pipelines_[2][2] = {};  // [double sided][cut out]
+  Out out_;
+};
+
+}  // namespace dermis::passes

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#include "render/passes/pixels/shade/shade_pre_integrated.glsl"

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// One axis of one Gaussian. A Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture
+// coordinates, L = [a 0; b c]. The first pass runs along (a, b) in whole steps of u and interpolates in v;
+// the second runs along v. The variance that interpolation adds is subtracted from the second pass. Right for
+// any stretch and shear in two passes.
+#version 460
+#include "render/shared/types.h"
+#include "render/shaders/half.glsl"
+#include "render/passes/scatter/blur/blur_io.h"
+#include "render/shaders/tile_list.glsl"
+layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
+layout(push_constant, scalar) uniform Push { BlurIo io; };
+layout(binding = 0, rgba16f) uniform readonly image2D light_in;
+layout(binding = 1) uniform sampler2D stretch;
+layout(binding = 2) uniform utextureBuffer Kernels;
+layout(binding = 3, rgba16f) uniform writeonly image2D light_out;
+layout(binding = 4, scalar) readonly buffer Tiles { uint tiles[]; };
+layout(binding = 5, scalar) readonly buffer TileCounts { uint tile_counts[]; };
+
+#include "render/passes/scatter/kernel_row.glsl"
+
+// The light is a storage image, and coordinates are held inside in place of a branch. Reading it through a
+// sampler, whose level may differ per invocation, takes twice as long on the software driver
+// (docs/notes/performance.md).
+
+// p: texel of the square. Outside its used part there is nothing: that is left over from another T.
+ivec2 held_inside(ivec2 p) { return clamp(p, ivec2(0), ivec2(io.side) - 1) + ivec2(io.origin); }
+vec4 none_outside(ivec2 p, vec4 texel) { return held_inside(p) == p + ivec2(io.origin) ? texel : vec4(0.0); }
+
+vec4 light_at(ivec2 p) { return none_outside(p, imageLoad(light_in, held_inside(p))); }
+
+// Adds a texel unless it belongs to no chart or to another; returns its weight.
+float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
+  const float used = texel.a == chart ? weight : 0.0;
+  sum += used * texel.rgb;
+  return used;
+}
+
+void load_kernel(float sigma, bool averaged) {
+  load_kernel_row(clamp(sigma / KERNEL_MAX_SIGMA, 0.0, 1.0) * float(KERNEL_ROWS - 1),
+                  averaged ? KERNEL_ROWS : 0);
+}
+
+// Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, nor
+// does the size of its map.
+vec4 spread(ivec2 p, vec4 centre) {
+  const float chart = centre.a;
+  const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
+  const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
+  const float texels = float(io.side);
+  const float sigma_mm = sqrt(io.variance_mm2);
+  const float sigma_u = sigma_mm * factor.x * texels;
+  const int step_u = max(1, int(ceil(sigma_u / KERNEL_MAX_SIGMA)));
+  const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v per step
+  load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
+
+  vec3 sum = vec3(0.0);
+  float total = 0.0;
+  if (io.axis == 0u) {
+    total += gather(sum, centre, chart, kernel_row[0]);
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+      const float shift = slope * float(k);
+      const float whole = floor(shift);
+      const float f = shift - whole;
+      const ivec2 d = ivec2(k * step_u, int(whole));
+
+      // The tap on the other side is at -shift: its two texels mirror these.
+      total += gather(sum, light_at(p + d), chart, kernel_row[k] * (1.0 - f));
+      total += gather(sum, light_at(p + d + ivec2(0, 1)), chart, kernel_row[k] * f);
+      total += gather(sum, light_at(p - d), chart, kernel_row[k] * (1.0 - f));
+      total += gather(sum, light_at(p - d - ivec2(0, 1)), chart, kernel_row[k] * f);
+    }
+  } else {
+    float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+      const float f = fract(slope * float(k));
+      interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);
+    }
+
+    const float wanted = sigma_mm * factor.z * texels;
+    const float sigma_v = sqrt(max(wanted * wanted - interpolation, 0.0));
+    const int step_v = max(1, int(ceil(sigma_v / KERNEL_MAX_SIGMA)));
+    load_kernel(sigma_v / float(step_v), io.texel_averaged != 0u && step_v == 1);
+
+    total += gather(sum, centre, chart, kernel_row[0]);
+    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+      total += gather(sum, light_at(p + ivec2(0, k * step_v)), chart, kernel_row[k]);
+      total += gather(sum, light_at(p - ivec2(0, k * step_v)), chart, kernel_row[k]);
+    }
+  }
+  return vec4(storable(sum / total), centre.a);
+}
+
+void main() {
+  const uint i = tile_number(gl_WorkGroupID.xy);
+  if (i >= tile_counts[io.list]) return;
+  const ivec2 p = tile_corner(tiles[io.list * io.room + i]) + ivec2(gl_LocalInvocationID.xy);
+  if (any(greaterThanEqual(p, ivec2(io.side)))) return;
+
+  const vec4 own = imageLoad(light_in, p + ivec2(io.origin));
+  if (own.a != 0.0) imageStore(light_out, p + ivec2(io.origin), spread(p, own));
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "render/passes/scatter/blur/blur.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frame/resources.h"
+#include "render/passes/bindings.h"
+#include "render/passes/scatter/blur/blur_io.h"
+#include "render/passes/scatter/kernels.h"
+#include "render/shared/tiles_io.h"
+
+namespace dermis::passes {
+
+Blur::Out Blur::declare(frame::Declare& d) {
+  compute(d, "blur.comp");
+  d.read(in.light);
+  d.write(in.target);
+  d.read(in.lists.tiles);
+  d.read(in.lists.counts);
+  d.indirect(in.lists.arguments);
+  if (in.start.valid()) d.read(in.start);
+  d.sample(in.stretch);
+  return {in.target};
+}
+
+void Blur::prepare(gpu::PipelineLibrary& library) {
+  ComputePass::prepare(library);
+  kernels_ =
+      gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()), gpu::texels_of_shaders);
+}
+
+// Returns whether a head enters the chain with this step.
+bool Blur::enters(const FrameData& frame, const UsedSquare& square) const {
+  return settings.chain && terms_of(frame, square).first_step == settings.chain->number;
+}
+
+std::vector<UsedSquare> Blur::squares_of(const FrameData& frame) const {
+  return settings.chain ? blurred_squares(frame, settings.squares, settings.chain->number)
+                        : used_squares(frame, settings.squares);
+}
+
+void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const {
+  Bindings()
+      .add("light_in", resources.storage(light))
+      .add("stretch", resources.nearest(in.stretch))
+      .add("Kernels", kernels_)
+      .add("light_out", resources.storage(in.target))
+      .add("Tiles", resources.buffer(in.lists.tiles))
+      .add("TileCounts", resources.buffer(in.lists.counts))
+      .bind(cmd, pipeline());
+}
+
+void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  frame::TextureId bound;
+
+  for (const UsedSquare& square : squares_of(frame)) {
+    const bool enters = this->enters(frame, square);
+    const frame::TextureId light = enters && in.start.valid() ? in.start : in.light;
+    if (light != bound) bind(cmd, resources, light);
+    bound = light;
+
+    const double variance_mm2 = enters ? settings.chain->total_mm2 : settings.variance_mm2;
+    const std::uint32_t list = in.lists.to_blur(square);
+    cmd.push(pipeline(), io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
+                                    .axis = settings.axis,
+                                    .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
+                                    .origin = square.origin,
+                                    .side = square.side,
+                                    .list = list,
+                                    .room = in.lists.room});
+    cmd.dispatch_indirect(resources.buffer(in.lists.arguments), list * sizeof(io::TileArgumentsIo));
+  }
+}
+
+std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm) {
+  std::vector<BlurStep> steps;
+  const double first_sigma = kernel_max_sigma / max_texels_per_mm;
+  double done_mm2 = 0;
+
+  for (const double variance_mm2 : variances_mm2) {
+    while (true) {
+      // variance after the largest step from here
+      const double reach = done_mm2 == 0 ? first_sigma * first_sigma : 4 * done_mm2;
+      // Below the size of a texel one step suffices: with a tap spacing of one texel no light can be skipped.
+      const double dense_reach = done_mm2 + first_sigma * first_sigma;
+      const double limit = std::max(reach, dense_reach);
+      if (variance_mm2 <= limit * (1 + 1e-9)) break;
+      steps.push_back({.variance_mm2 = limit - done_mm2, .ends_term = false});
+      done_mm2 = limit;
+    }
+
+    steps.push_back({.variance_mm2 = variance_mm2 - done_mm2, .ends_term = true});
+    done_mm2 = variance_mm2;
+  }
+
+  return steps;
+}
+
+std::vector<BlurStep> blur_steps(std::span<const Gaussian> terms, double max_texels_per_mm) {
+  std::vector<double> variances;
+  for (const Gaussian& term : terms) variances.push_back(term.variance_mm2);
+  return blur_steps(variances, max_texels_per_mm);
+}
+
+int gutter_width(const ScatterProfile& profile, double max_texels_per_mm) {
+  const double widest_mm = std::sqrt(profile.max_variance_mm2());
+  const double reach = std::ceil(kernel_reach * widest_mm * max_texels_per_mm) + 2;
+  return static_cast<int>(std::clamp(reach, 3.0, double{max_gutter_width}));
+}
+
+}  // namespace dermis::passes

@@ -1,0 +1,465 @@
+// SPDX-License-Identifier: MIT
+#include "render/setup/frame_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "base/core/assert.h"
+#include "base/core/error.h"
+#include "base/core/log.h"
+#include "head/scene/framing.h"
+#include "render/passes/screen/screen_surface_io.h"
+#include "render/passes/shadow/fit.h"
+#include "render/setup/background.h"
+#include "render/setup/camera_matrices.h"
+#include "render/setup/casters.h"
+#include "render/setup/choose.h"
+#include "render/setup/frame_camera.h"
+#include "render/setup/models.h"
+#include "render/setup/pool.h"
+#include "render/shared/entries_io.h"
+#include "render/techniques/map_side.h"
+#include "render/techniques/mapped_terms.h"
+
+namespace dermis::setup {
+namespace {
+
+// Returns the number that shaders know a type by. No default: a new type without one is a warning here.
+std::uint32_t type_number(LightType type) {
+  switch (type) {
+    case LightType::directional: return LIGHT_DIRECTIONAL;
+    case LightType::spot: return LIGHT_SPOT;
+    case LightType::point: return LIGHT_POINT;
+  }
+  assertion_failed("a light has a LightType", fmt::format("{}", static_cast<int>(type)), __FILE__, __LINE__);
+}
+
+io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, std::size_t first_layer) {
+  io::LightIo out{};
+  out.colour = light.colour;
+  out.type = type_number(light.type);
+  out.position_m = light.position_m;
+  out.range_m = light.range_m;
+  out.direction = light.direction;
+  out.cos_inner = std::cos(light.inner_cone_rad);
+  out.cos_outer = std::cos(light.outer_cone_rad);
+  out.shadow_layer = static_cast<std::uint32_t>(first_layer);
+  out.shadow_layers = static_cast<std::uint32_t>(fit.shadow_from_world.size());
+  out.shadow_texel = fit.texel;
+  out.radius = light.radius;
+  return out;
+}
+
+const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
+  if (!host) return nullptr;
+  const auto found = std::find_if(host->shadows.begin(), host->shadows.end(),
+                                  [&](const HostShadow& shadow) { return shadow.light == light; });
+  return found == host->shadows.end() ? nullptr : &*found;
+}
+
+bool is_deformed(const HostSetup* host, const Head& head) {
+  return host &&
+         std::find(host->deformed.begin(), host->deformed.end(), head.instance) != host->deformed.end();
+}
+
+/// Returns the instances, or the row of camera.heads of a single one.
+std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
+  std::vector<Head> heads;
+  const auto add = [&](const Similarity& world_from_asset, std::size_t instance) -> Head& {
+    return heads.emplace_back(Head{.number = static_cast<int>(heads.size()),
+                                   .instance = instance,
+                                   .world_from_asset = world_from_asset,
+                                   .lights = {},
+                                   .shadow_from_world = {}});
+  };
+  if (s.camera.heads == 1) {
+    for (const PlacedAsset& instance : scene.instances) add(instance.world_from_asset, heads.size());
+    return heads;
+  }
+
+  if (scene.instances.size() > 1)
+    throw input_error("", "camera.heads must be 1 for a scene of {} instances, got {}",
+                      scene.instances.size(), s.camera.heads);
+  const PlacedAsset& one = scene.instances.front();
+  const float radius_m = one.world_from_asset.sphere(one.sphere).radius_m;
+  for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, radius_m))
+    add(one.world_from_asset, 0).world_from_asset.origin_m += offset;
+  return heads;
+}
+
+void set_up_heads(std::vector<Head>& heads, const PlacedScene& scene,
+                  std::span<const Subject* const> subjects, const RenderSettings& s,
+                  const scene::Camera& camera, const io::CameraIo& frame_camera,
+                  const std::vector<scene::Light>& lights, const HostSetup* host) {
+  const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
+
+  for (Head& head : heads) {
+    const Subject& subject = *subjects[head.instance];
+    const PosedAsset* posed = scene.instances[head.instance].posed.get();
+    head.middle_m = head.world_from_asset.position((posed ? posed->skin : subject.bounds).sphere.centre_m);
+    const Casters casters(subject, posed, head.world_from_asset, is_deformed(host, head));
+
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const HostShadow* of_host = host_shadow(host, i);
+      const passes::ShadowFit fit =
+          of_host
+              ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
+              : passes::fit_shadow(lights[i], casters.bounds(), s.quality.shadow_size);
+      if (of_host) {
+        head.host_shadows.resize(head.shadow_from_world.size());
+        head.host_shadows.push_back({of_host->depth, of_host->reversed});
+      }
+      head.lights.push_back(light_io(lights[i], fit, head.shadow_from_world.size()));
+      head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
+                                    fit.shadow_from_world.end());
+    }
+
+    if (!subject.skin.empty())
+      head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, head.world_from_asset, posed);
+    head.visible = scene.instances[head.instance].visible &&
+                   (!skip || in_view(subject, frame_camera, head.world_from_asset, posed));
+    // A host may move vertices anywhere.
+    const glm::uvec2 size(s.output.width, s.output.height);
+    if (head.visible)
+      head.area = is_deformed(host, head) ? passes::PixelArea{glm::uvec2(0), size}
+                                          : area_of(casters.bounds(), frame_camera, size);
+  }
+}
+
+// Sorts far to near, so that what is blended is drawn over what lies behind it. Where one batch holds all
+// heads, their blended parts are sorted when they are drawn. Heads of a model then stand together, and the
+// plan stays as it is while heads change places.
+void sort_heads(FrameSetup& setup, const RenderSettings& s) {
+  const techniques::FrameSettings& plan = setup.plan;
+  const bool blends = std::any_of(plan.models.begin(), plan.models.end(),
+                                  [](const techniques::Model& model) { return model.has_blended; });
+  // The plan of a host must serve every view.
+  const bool by_model =
+      s.output.show == "picture" && (plan.host || !blends || setup.heads.size() <= plan.heads_per_batch);
+
+  // The map that `show` names is of the last head: the nearest that has something to show.
+  const auto shows = [&](const Head& head) { return head.visible && plan.models[head.model].meshes > 0; };
+  const bool shows_picture = s.output.show == "picture";
+  const auto distance = [&](const Head& head) {
+    return glm::distance(head.middle_m, setup.frame.camera.eye_m);
+  };
+  std::stable_sort(setup.heads.begin(), setup.heads.end(), [&](const Head& a, const Head& b) {
+    if (by_model && a.model != b.model) return a.model < b.model;
+    if (!shows_picture && shows(a) != shows(b)) return shows(b);
+    return distance(a) > distance(b);
+  });
+
+  setup.plan.heads.clear();
+  for (const Head& head : setup.heads) setup.plan.heads.push_back(head.model);
+}
+
+// Heads of one batch have sets of shadow maps one after the other. Those that last have the place of their
+// head, whatever the order in which heads are drawn.
+void place_shadows(std::vector<Head>& heads, const techniques::FrameSettings& plan) {
+  for (std::uint32_t i = 0; i < heads.size(); ++i) {
+    const std::uint32_t set =
+        plan.keep_shadows ? static_cast<std::uint32_t>(heads[i].number) : i % plan.heads_per_batch;
+    heads[i].first_shadow_layer = set * plan.shadow_layers;
+    for (io::LightIo& light : heads[i].lights) light.shadow_layer += heads[i].first_shadow_layer;
+  }
+}
+
+// Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
+// Blended surfaces cast no shadow.
+bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
+  const scene::AssetData& asset = *instance.asset;
+  return std::all_of(asset.primitives.begin(), asset.primitives.end(), [&](const scene::Primitive& p) {
+    const scene::Material& material = asset.materials[static_cast<std::size_t>(p.material)];
+    if (material.alpha_mode == AssetAlpha::blend) return true;
+    const float mix = instance.mix.value_or(material.skin_settings.mix_or_default());
+    return material.skin && s.skin.mix.value_or(double{mix}) == 0;
+  });
+}
+
+// Sides of light maps that a head of the scene may have, large to small.
+std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, const RenderSettings& s) {
+  if (!plan.optimise.depth) return {plan.map_size};
+  if (plan.mixes()) return techniques::sides_by_need(plan.map_size);
+  const std::vector<int> sides = paper_sides(s);
+  return {sides.begin(), sides.end()};
+}
+
+// The metric changes slowly over the skin: its maps are as large whatever light maps are, so that these
+// change nothing for it.
+constexpr std::uint32_t most_stretch_side = 1024;
+
+// Returns pixels per mm at which no narrow term shows yet.
+double before_close_ups(const techniques::FrameSettings& plan, const techniques::Model& model) {
+  double most = std::numeric_limits<double>::infinity();
+  for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
+    for (const Gaussian& term : plan.skin[mesh].profile.terms) {
+      const double sigma_mm = std::sqrt(term.variance_mm2);
+      if (sigma_mm < plan.skin[mesh].wide_mm)
+        most = std::min(most, techniques::least_sigma_pixels(plan.skin[mesh], sigma_mm) / sigma_mm);
+    }
+  return most * (1 - 1e-6);
+}
+
+// T_max of a model is that of a near head, or of a close-up in this frame, and maps hold what shows there. So
+// a plan changes where a head comes closer than that, and not before; other models change nothing for it.
+void hold_what_shows(FrameSetup& setup, bool every_view) {
+  techniques::FrameSettings& plan = setup.plan;
+  const std::uint32_t limit = std::exchange(plan.map_size, 0);
+  plan.stretch_side = std::min(limit, most_stretch_side);
+
+  for (std::uint32_t number = 0; number < plan.models.size(); ++number) {
+    const techniques::Model& model = plan.models[number];
+    const std::span parts = std::span(plan.skin).subspan(model.first_mesh, model.meshes);
+    techniques::MapDetail finest{0, 0};
+    for (const techniques::SkinMesh& part : parts)
+      finest.side = std::max(finest.side, techniques::near_side(part, limit));
+    for (Head& head : setup.heads) {
+      if (head.model != number) continue;
+      if (!head.visible) {
+        head.detail.side = std::min(head.detail.side, finest.side);
+        continue;
+      }
+      finest.side = std::max(finest.side, head.detail.side);
+      finest.pixels_per_mm = std::max(finest.pixels_per_mm, head.detail.pixels_per_mm);
+    }
+
+    for (techniques::SkinMesh& part : parts) {
+      part.map_size = finest.side;
+      part.first_mapped = techniques::first_mapped(part, finest);
+      const auto is_coarse = [&](const Head& head) {
+        return head.model == number && head.visible && techniques::entered_share(part, head.detail) > 0;
+      };
+      part.reads_entered = part.first_mapped > 0 && part.mapped_count() < MOST_TERMS &&
+                           (every_view || std::ranges::any_of(setup.heads, is_coarse));
+    }
+    if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
+  }
+}
+
+// Decides how large light maps are: T_max, and T of each head.
+void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s,
+                      bool every_view) {
+  techniques::FrameSettings& plan = setup.plan;
+  plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+  if (plan.skin.empty() || !setup.technique->has_light_maps) return;
+
+  for (Head& head : setup.heads) {
+    techniques::MapDetail& detail = head.detail;
+    const techniques::Model& model = plan.models[head.model];
+    // The plan of a host must serve every view: it has no close-ups.
+    if (plan.host) detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
+    detail.side = plan.map_size;
+    if (plan.mixes())
+      detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, plan.map_size);
+    else if (plan.optimise.depth && !subjects[head.instance]->skin.empty())
+      detail.side = static_cast<std::uint32_t>(paper_side(*subjects[head.instance], s, detail.pixels_per_mm));
+  }
+  if (plan.mixes()) hold_what_shows(setup, every_view);
+}
+
+// Returns the number of Gaussians of the profile of a part, that without width too.
+int gaussians_of(const techniques::SkinMesh& part) {
+  const auto has_weight = [](const gaussians::Rgb& weight) { return weight != gaussians::Rgb{}; };
+  const std::vector<Gaussian>& terms = part.profile.terms;
+  const bool all_leaves = terms.size() == 1 && !has_weight(terms.front().weight);
+  return static_cast<int>(all_leaves ? 0 : terms.size()) + (has_weight(part.unscattered) ? 1 : 0);
+}
+
+// The light of a host, and the light that it reads, are those of light maps, which hold what has scattered.
+void check_unscattered(const techniques::FrameSettings& plan) {
+  if (!plan.host || !(plan.host_lights() || plan.host->scattered)) return;
+  for (const techniques::SkinMesh& part : plan.skin)
+    if (part.unscattered != gaussians::Rgb{})
+      throw input_error(
+          "",
+          "a profile with a variance of 0 mm^2 goes neither with light that a host draws nor with "
+          "blurred light that it reads");
+}
+
+// Ids tell parts apart, and techniques in screen space tell heads and skin meshes apart.
+void check_numbers(const FrameSetup& setup) {
+  const techniques::FrameSettings& plan = setup.plan;
+  if (plan.parts() > MOST_PARTS)
+    throw input_error("",
+                      "a frame may have {} parts of skin, this one has {}: runs of up to {} triangles of one "
+                      "material of a head",
+                      MOST_PARTS, plan.parts(), 1 << ID_TRIANGLE_BITS);
+  if (!setup.technique->screen_space) return;
+  if (plan.head_count() > MOST_SURFACE_HEADS || plan.skin.size() > MOST_SURFACE_MESHES)
+    throw input_error("", "technique '{}' tells {} heads and {} skin meshes apart, this frame has {} and {}",
+                      setup.technique->name, MOST_SURFACE_HEADS, MOST_SURFACE_MESHES, plan.head_count(),
+                      plan.skin.size());
+}
+
+// Its maps are those of heads that stand as their files have them, in a picture of ours.
+void check_published(const FrameSetup& setup) {
+  if (!setup.technique->as_published) return;
+  if (setup.plan.host)
+    throw input_error("", "technique '{}' draws no frames of a host; take texture-space",
+                      setup.technique->name);
+  if (setup.plan.poses)
+    throw input_error("", "technique '{}' takes no poses; take texture-space", setup.technique->name);
+}
+
+void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
+                 const RenderSettings& s, const std::vector<scene::Light>& lights, const DeviceTraits& device,
+                 bool every_view) {
+  techniques::FrameSettings& plan = setup.plan;
+
+  plan.width = static_cast<std::uint32_t>(s.output.width);
+  plan.height = static_cast<std::uint32_t>(s.output.height);
+  plan.samples = static_cast<std::uint32_t>(s.quality.samples);
+  plan.light_samples = static_cast<std::uint32_t>(s.quality.light_samples);
+  plan.shadow_size = static_cast<std::uint32_t>(s.quality.shadow_size);
+  for (const Head& head : setup.heads)
+    plan.shadow_layers =
+        std::max(plan.shadow_layers, static_cast<std::uint32_t>(head.shadow_from_world.size()));
+  plan.bloom = static_cast<float>(s.output.bloom);
+  plan.tone_map = s.output.tone_map;
+  plan.behind = background_of(s.output.background);
+  plan.visibility = s.output.show == "visibility";
+  plan.soft_shadows =
+      std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
+
+  if (plan.host) {
+    plan.width = std::max(plan.host->width, 1u);
+    plan.height = std::max(plan.host->height, 1u);
+    plan.bloom = 0;
+    plan.tone_map = ToneMap::linear;
+    plan.behind = {};
+  }
+
+  if (setup.technique->has_light_maps) {
+    plan.optimise = {.cull = s.quality.cull, .depth = s.quality.depth, .clip = s.quality.clip};
+    plan.mask = s.quality.mask.value_or(BlurMask::depth);
+    plan.all_mapped = setup.technique->as_published;
+  }
+  set_up_map_sides(setup, subjects, s, every_view);
+
+  if (setup.technique->uses_profile) {
+    plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
+    plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
+                                  [&](const PlacedAsset& instance) { return all_enters(instance, s); });
+  }
+
+  if (setup.technique->screen_space) {
+    plan.kernel = s.quality.kernel;
+    plan.taps = static_cast<std::uint32_t>(s.quality.taps.value_or(0));
+  }
+
+  for (const techniques::SkinMesh& part : plan.skin)
+    setup.gaussians = std::max(setup.gaussians, gaussians_of(part));
+  if (!setup.technique->uses_profile) setup.gaussians = 0;
+
+  PoolHeads heads{.count = static_cast<std::uint32_t>(setup.heads.size())};
+  for (const Head& head : setup.heads)
+    heads.most_side = std::max(heads.most_side, every_view ? plan.map_size : head.detail.side);
+  set_up_pool(plan, *setup.technique, heads, s, device);
+}
+
+// Light from just outside the picture still arrives: as far as the widest Gaussian reaches.
+double clip_margin_m(const FrameSetup& setup, const RenderSettings& s) {
+  if (s.quality.clip_margin_mm) return *s.quality.clip_margin_mm / 1000;
+  double reach_m = 0;
+  for (const techniques::SkinMesh& part : setup.plan.skin)
+    reach_m = std::max(reach_m, 3 * std::sqrt(part.profile.max_variance_mm2()) / part.mm_per_unit);
+  return reach_m;
+}
+
+}  // namespace
+
+void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup) {
+  const auto widest_texels = [&](const techniques::SkinMesh& part) {
+    return std::sqrt(part.profile.max_variance_mm2()) * part.least_uv_per_mm * part.map_size;
+  };
+  const techniques::SkinMesh* worst = nullptr;
+  for (const techniques::SkinMesh& part : setup.plan.skin)
+    if (part.mean_uv_per_mm > 0 && (!worst || widest_texels(part) < widest_texels(*worst))) worst = &part;
+  if (!worst || !setup.plan.mixes()) return;
+  if (widest_texels(*worst) > 0.15) return;
+
+  const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
+  const Subject& subject = *subjects[source.instance];
+  warn(
+      "{}: a twentieth of skin '{}' has {:.2g} texels per mm of light map or fewer: light does not scatter "
+      "there. Coordinates that fill more of the square hold more, or a larger quality.map_size, where that "
+      "bounds the maps ({} texels are taken)",
+      subject.scene->name, subject.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size,
+      worst->map_size);
+}
+
+std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings) {
+  std::vector<techniques::DrawnHead> heads;
+  for (std::uint32_t model = 0; model < setup.plan.models.size(); ++model)
+    for (const std::uint32_t side : map_sides(setup.plan, settings))
+      heads.push_back({.model = model, .detail = {.side = side}});
+  return heads;
+}
+
+std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
+  std::vector<techniques::DrawnHead> drawn;
+  for (std::uint32_t i = 0; i < setup.heads.size(); ++i) {
+    const Head& head = setup.heads[i];
+    if (head.visible) drawn.push_back({.model = head.model, .detail = head.detail, .head = i});
+  }
+  return drawn;
+}
+
+FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects, const RenderSettings& s,
+                  const DeviceTraits& device,
+                  const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host,
+                  bool every_view) {
+  DERMIS_ASSERT_EQ(subjects.size(), scene.instances.size());
+  FrameSetup setup;
+  setup.technique = &techniques::find_technique(s.technique);
+  const HeadSpheres spheres = head_spheres(scene, s);
+  setup.heads = placed_heads(scene, s);
+
+  const scene::Camera camera = choose_camera(scene, s, spheres);
+  setup.frame.camera = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
+  if (s.camera.matrices)
+    setup.frame.camera.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
+                                              : picture_from_world(*s.camera.matrices, camera);
+  setup.d_ref = reference_distance(*subjects.front(), s, camera);
+
+  std::vector<scene::Light> lights = choose_lights(scene, s, spheres);
+  if (environment_lights) lights.insert(lights.end(), environment_lights->begin(), environment_lights->end());
+  setup.lights = static_cast<int>(lights.size());
+  setup.environment_lights = environment_lights ? static_cast<int>(environment_lights->size()) : 0;
+
+  set_up_heads(setup.heads, scene, subjects, s, camera, setup.frame.camera, lights, host);
+  set_up_models(setup, scene, subjects, s);
+  if (host) {
+    setup.plan.host = host->part;
+    for (Head& head : setup.heads)
+      head.drawn =
+          std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) == host->not_drawn.end();
+  }
+  setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                 [](const PlacedAsset& instance) { return instance.posed != nullptr; });
+  setup.plan.environment = environment_lights.has_value();
+  set_up_plan(setup, scene, subjects, s, lights, device, every_view);
+  if (host) setup.plan.samples = host->samples;
+  sort_heads(setup, s);
+  setup.plan.keep_shadows = s.quality.keep_shadows && s.output.show == "picture" &&
+                            can_keep_shadows(setup.plan, *setup.technique, device, every_view);
+  check_numbers(setup);
+  check_published(setup);
+  check_unscattered(setup.plan);
+  place_shadows(setup.heads, setup.plan);
+
+  io::FrameIo& frame = setup.frame;
+  frame.picture_size = glm::uvec2(s.output.width, s.output.height);
+  frame.clip_margin_m = static_cast<float>(clip_margin_m(setup, s));
+  frame.radiance_scale = static_cast<float>(std::exp2(s.output.exposure_ev.value_or(0)));
+  frame.ambient = glm::vec3(static_cast<float>(s.lighting.ambient));
+  frame.light_count = static_cast<std::uint32_t>(lights.size());
+  frame.specular_on = s.lighting.specular ? 1 : 0;
+  frame.white_albedo = s.lighting.white_albedo ? 1 : 0;
+  return setup;
+}
+
+}  // namespace dermis::setup

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+/// From a scene and settings to what a plan and a frame need: cameras, lights, profiles, heads. No device.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dermis/settings.h"
+#include "render/setup/frame_camera.h"
+#include "render/setup/placed_scene.h"
+#include "render/setup/pool.h"
+#include "render/setup/subject.h"
+#include "render/shared/scene_io.h"
+#include "render/techniques/technique.h"
+
+namespace dermis::setup {
+
+/// Throws InputError for a setting out of range; names it and its range. Called once per set of settings,
+/// before anything is made or read for them.
+void check_settings(const RenderSettings& settings);
+
+/// A head of a frame: an instance, or one of a row of them.
+struct Head {
+  int number = 0;            ///< among the heads of the scene
+  std::size_t instance = 0;  ///< of the scene
+  Similarity world_from_asset;
+  std::uint32_t model = 0;  ///< of the plan
+  glm::vec3 middle_m{0};    ///< of its skin
+  std::vector<io::LightIo> lights;
+  std::uint32_t first_shadow_layer = 0;
+  std::vector<glm::mat4> shadow_from_world;
+  std::vector<passes::HostShadowMap> host_shadows;  ///< one per layer; empty: there are none
+  techniques::MapDetail detail;                     ///< T, and pixels per mm
+  bool visible = true;
+  bool drawn = true;       ///< false: a host draws it
+  passes::PixelArea area;  ///< of the picture: pixels outside do not show it
+};
+
+/// A skin mesh of the plan.
+struct MeshSource {
+  std::size_t instance = 0;  ///< one of those that have it
+  std::uint32_t mesh = 0;    ///< among the meshes of its asset
+};
+
+struct FrameSetup {
+  const techniques::Technique* technique = nullptr;
+  techniques::FrameSettings plan;
+  std::vector<Head> heads;         ///< in the order of the plan
+  std::vector<MeshSource> meshes;  ///< one for each of FrameSettings::skin
+  io::FrameIo frame{};
+  double d_ref = 0;  ///< see reference_distance()
+  int lights = 0, gaussians = 0;
+  int environment_lights = 0;  ///< those of the lights that an environment brings
+};
+
+/// Returns a head of each model for each size of map that one may have, large to small.
+std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings);
+
+/// Returns the heads that are drawn.
+std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup);
+
+/// A shadow map of a host in place of one of ours.
+struct HostShadow {
+  std::size_t light = 0;           ///< number in PlacedScene::lights
+  glm::mat4 shadow_from_world{1};  ///< depth reversed, as passes::ShadowFit has it
+  float texel = 0;                 ///< likewise
+  const gpu::Texture* depth = nullptr;
+  bool reversed = false;  ///< as the host has it
+  bool operator==(const HostShadow&) const = default;
+};
+
+/// An image of a host in place of a map of an instance.
+struct HostMap {
+  std::size_t instance = 0;
+  passes::HostMap map;
+};
+
+/// The part of a host in a frame, with what its images are.
+struct HostSetup {
+  techniques::HostPart part;
+  std::uint32_t samples = 1;           ///< of its targets
+  std::vector<std::size_t> not_drawn;  ///< instances that are lit, but drawn by the host
+  std::vector<std::size_t> deformed;   ///< instances whose vertices the host moves
+  std::vector<HostMap> maps;
+  std::vector<HostShadow> shadows;
+};
+
+/// Decides what a frame needs. `settings` have passed check_settings(): who calls this checks them before
+/// reading surroundings. `subjects`: one per instance. `environment_lights`: besides those that the settings
+/// choose; none: there is no environment, light from everywhere is uniform. Throws InputError: no
+/// instance, or a row of several; see choose_camera(); or a map budget that does not hold one head. With a
+/// `host`, the frame is for its targets: the plan does not depend on the size of the picture, and the
+/// matrices of the camera are the host's, depth included. With `every_view` the plan serves every camera;
+/// else this one, and takes no more memory for light maps than its heads use.
+FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects,
+                  const RenderSettings& settings, const DeviceTraits& device = {},
+                  const std::optional<std::vector<scene::Light>>& environment_lights = {},
+                  const HostSetup* host = nullptr, bool every_view = true);
+
+/// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel. The line says
+/// which mesh has fewest, how many, what that means and what helps.
+void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup);
+
+}  // namespace dermis::setup

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+/// A scene as a frame or the reference takes it: assets, each with its pose, and lights in the world.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dermis/settings.h"
+#include "head/scene/asset_data.h"
+#include "head/scene/rig/rig.h"
+#include "tissue/gaussians/sum.h"
+
+namespace dermis::setup {
+
+/// From the coordinates of an asset to the world: a rotation, one scale, then a shift.
+struct Similarity {
+  glm::mat3 rotation{1};
+  float scale = 1;
+  glm::vec3 origin_m{0};
+
+  glm::vec3 direction(const glm::vec3& d) const { return rotation * d; }
+  glm::vec3 position(const glm::vec3& p_m) const { return rotation * p_m * scale + origin_m; }
+  /// From the world to the asset.
+  glm::vec3 position_in_asset(const glm::vec3& p_m) const;
+  scene::BoundingSphere sphere(const scene::BoundingSphere& s) const;
+  glm::mat4x3 matrix() const;
+  bool is_identity() const { return *this == Similarity{}; }
+  bool operator==(const Similarity&) const = default;
+};
+
+/// Returns that of a column-major 4x4 matrix; none unless it is rigid to 1e-4, with one scale of 1e-3 to
+/// 1e3. Scales are rounded to 1e-5, so that the roundings of a host's floats make no difference.
+std::optional<Similarity> similarity_of(const std::array<double, 16>& world_from_asset);
+
+/// An asset in a pose of its joints and morph targets, in its own coordinates.
+struct PosedAsset {
+  scene::PosedRig rig;
+  scene::Bounds skin, all;           ///< hold its vertices, not tightly
+  std::vector<glm::vec3> corners_m;  ///< their convex hull does so more tightly
+};
+
+struct PlacedAsset {
+  std::shared_ptr<const scene::AssetData> asset;
+  scene::BoundingSphere sphere;  ///< of the asset's skin as it was loaded, in its own coordinates
+  Similarity world_from_asset;
+  std::shared_ptr<const PosedAsset> posed;  ///< null: as the asset was loaded
+  std::uint64_t posed_change = 0;           ///< InstanceChanges::rig
+  bool visible = true;
+  // Instead of those of the materials.
+  std::optional<ScatterProfile> profile;
+  std::optional<float> mix;
+  glm::vec3 tint{1};  ///< multiplies the colour of the skin
+};
+
+struct PlacedScene {
+  std::string name;  ///< for messages
+  std::vector<PlacedAsset> instances;
+  std::vector<scene::Light> lights;  ///< in the world
+};
+
+/// Spheres around the skin of the heads, by which cameras and rigs are placed.
+struct HeadSpheres {
+  scene::BoundingSphere middle;  ///< about the middle of the heads, as large as the largest of them
+  std::vector<scene::BoundingSphere> framed;  ///< all visible instances; of a row, the middle head
+  /// The rig stands around this: the middle as long as all heads lie within its lamps, else all heads.
+  scene::BoundingSphere lit;
+  std::vector<glm::vec3> offsets_m;  ///< from there to heads that the rig must reach too
+};
+HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& settings);
+
+/// Returns the cameras of all instances, in the world.
+std::vector<scene::Camera> placed_cameras(const PlacedScene& scene);
+
+/// Returns one asset that shows the same: copies of all visible instances in the world, with materials of
+/// their own. Of a single one that is as its asset is, returns that. For what knows no instances, such as the
+/// reference. Takes memory for each copy.
+std::shared_ptr<const scene::AssetData> flattened(const PlacedScene& scene);
+
+}  // namespace dermis::setup

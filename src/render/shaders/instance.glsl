@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// From the coordinates of an asset to the world. An instance that is not turned moves its points by one
+// addition, exactly: products with 0 and 1 do not round. Precise as clip_position() is.
+#ifndef INSTANCE  // a pass may have it elsewhere
+#include "render/shaders/head.glsl"
+#define INSTANCE of_head.instance
+#endif
+
+vec3 world_direction(vec3 d) { return INSTANCE.x_axis * d.x + INSTANCE.y_axis * d.y + INSTANCE.z_axis * d.z; }
+
+vec3 world_position(InstanceIo i, vec3 p) {
+  precise const vec3 world_m = (i.x_axis * p.x + i.y_axis * p.y + i.z_axis * p.z) * i.scale + i.origin_m;
+  return world_m;
+}
+
+vec3 world_position(vec3 position_m) { return world_position(INSTANCE, position_m); }

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Light that arrives at a point, with its shadow. Needs sampler2DArray `shadow_depths` without comparison.
+#extension GL_EXT_samplerless_texture_functions : require
+#include "render/shaders/head.glsl"
+#include "render/shaders/shading_point.glsl"
+layout(binding = 5) uniform utextureBuffer Lamps;  // of all heads, see LampsIo
+
+LightIo light_at(uint number) {
+  const int first = of_head.lamps.lights + 5 * int(number);
+  const uvec4 a = texelFetch(Lamps, first), b = texelFetch(Lamps, first + 1),
+              c = texelFetch(Lamps, first + 2), d = texelFetch(Lamps, first + 3),
+              e = texelFetch(Lamps, first + 4);
+
+  LightIo light;
+  light.colour = uintBitsToFloat(a.xyz);
+  light.type = a.w;
+  light.position_m = uintBitsToFloat(b.xyz);
+  light.range_m = uintBitsToFloat(b.w);
+  light.direction = uintBitsToFloat(c.xyz);
+  light.cos_inner = uintBitsToFloat(c.w);
+  light.cos_outer = uintBitsToFloat(d.x);
+  light.shadow_layer = d.y;
+  light.shadow_layers = d.z;
+  light.shadow_texel = uintBitsToFloat(d.w);
+  light.radius = uintBitsToFloat(e.x);
+  return light;
+}
+
+mat4 shadow_matrix(uint layer) {
+  const int first = of_head.lamps.shadow_matrices + 4 * int(layer);
+  return mat4(uintBitsToFloat(texelFetch(Lamps, first)), uintBitsToFloat(texelFetch(Lamps, first + 1)),
+              uintBitsToFloat(texelFetch(Lamps, first + 2)), uintBitsToFloat(texelFetch(Lamps, first + 3)));
+}
+
+struct Arriving {
+  vec3 irradiance;  // on a surface that faces the light, unshadowed
+  vec3 to_light;    // unit
+  float distance_m;
+};
+
+// KHR_lights_punctual: inverse square, range window, smooth cone.
+Arriving arriving_light(LightIo light, vec3 p) {
+  Arriving a;
+  if (light.type == LIGHT_DIRECTIONAL) {
+    a.irradiance = light.colour;
+    a.to_light = -light.direction;
+    a.distance_m = 0.0;
+    return a;
+  }
+
+  const vec3 d = light.position_m - p;
+  const float d2 = max(dot(d, d), 1e-8);
+  a.distance_m = sqrt(d2);
+  a.to_light = d / a.distance_m;
+  a.irradiance = light.colour / d2;
+
+  if (light.range_m > 0.0) {
+    const float x = a.distance_m / light.range_m;
+    a.irradiance *= clamp(1.0 - x * x * x * x, 0.0, 1.0);
+  }
+
+  if (light.type == LIGHT_SPOT) {
+    const float c = clamp(
+        (dot(light.direction, -a.to_light) - light.cos_outer) / max(light.cos_inner - light.cos_outer, 1e-4),
+        0.0, 1.0);
+    a.irradiance *= c * c;
+  }
+  return a;
+}
+
+// Returns the layer of an omnidirectional map for a direction: +x -x +y -y +z -z.
+uint cube_face(vec3 d) {
+  const vec3 a = abs(d);
+  if (a.x >= a.y && a.x >= a.z) return d.x > 0.0 ? 0u : 1u;
+  if (a.y >= a.z) return d.y > 0.0 ? 2u : 3u;
+  return d.z > 0.0 ? 4u : 5u;
+}
+
+// Returns the layer of a light's map that holds p.
+uint shadow_layer_of(LightIo light, vec3 p) {
+  return light.shadow_layer + (light.shadow_layers == 6u ? cube_face(p - light.position_m) : 0u);
+}
+
+// Returns the side of a texel of a light's map at the distance of the point.
+float shadow_texel_m(LightIo light, Arriving a) {
+  return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
+}
+
+// Shadow bias: returns a point moved along its normal, to the rounded surface, or by an offset that grows
+// with the grazing angle up to `texels` if that is further. Plus one texel towards the light.
+vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels) {
+  const float cosine = dot(s.normal, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
+  return s.shadow_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * texel_m;
+}
+
+#include "render/shaders/soft_shadow.glsl"
+
+// The texels of a light's map around a point.
+struct MapLook {
+  mat4 from_world;
+  vec4 clip;     // of the point
+  vec2 uv;       // its position in the map
+  vec2 between;  // its position between the middle four texels, 0..1
+  vec4 z[4];     // depths of the 4 x 4 texels around: [x + 2 y] is a block of two by two, in the order of
+                 // textureGather: (0,1) (1,1) (1,0) (0,0)
+  float layer;
+  bool inside;  // false: the point is outside the map, and z is not set
+};
+
+MapLook look_into_map(LightIo light, vec3 p) {
+  MapLook m;
+  const uint layer = shadow_layer_of(light, p);
+  m.layer = float(layer);
+  m.from_world = shadow_matrix(layer);
+  m.clip = m.from_world * vec4(p, 1.0);
+  m.uv = m.clip.xy / m.clip.w * 0.5 + 0.5;
+  m.inside = m.clip.w > 0.0 && all(greaterThanEqual(m.uv, vec2(0.0))) && all(lessThanEqual(m.uv, vec2(1.0)));
+  if (!m.inside) return m;
+
+  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);
+  m.between = m.uv * size - 0.5 - base;
+  for (int k = 0; k < 4; ++k)
+    m.z[k] = textureGather(shadow_depths, vec3((base + 2.0 * vec2(k & 1, k >> 1)) / size, m.layer));
+  return m;
+}
+
+// Returns the share of a tent over 3 x 3 bilinear comparisons that is not beyond the point, as weights of 4 x
+// 4 comparisons.
+float share_not_beyond(MapLook m) {
+  const vec2 f = m.between;
+  const vec4 x = vec4(1.0 - f.x, 2.0 - f.x, 1.0 + f.x, f.x) * 0.25,
+             y = vec4(1.0 - f.y, 2.0 - f.y, 1.0 + f.y, f.y) * 0.25;
+  float sum = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const vec2 u = (k & 1) == 0 ? x.xy : x.zw, v = (k >> 1) == 0 ? y.xy : y.zw;
+    sum += dot(vec4(u.x * v.y, u.y * v.y, u.y * v.x, u.x * v.x), step(m.z[k], vec4(m.clip.z / m.clip.w)));
+  }
+  return sum;
+}
+
+// Returns the share of the light that arrives at the point, 0..1, from the texels around it:
+// percentage-closer filtering with tent weights, a stable soft edge about three texels wide. Gathers cost
+// less than the nine comparisons of a comparison sampler.
+float share_lit(LightIo light, Arriving a, ShadingPoint s, MapLook m) {
+  const float lit = share_not_beyond(m);
+  if (soft_shadows && light.radius > 0.0) return soft_shadow(light, a, m.from_world, s, m.layer, lit);
+  return lit;
+}
+
+// Moves the receiver along its geometric normal by the radius of the filter, so that a plane never shadows
+// itself, at any slope. Or it moves it to the rounded surface; and one texel towards the light.
+float shadow_at(LightIo light, Arriving a, ShadingPoint s) {
+  if (light.shadow_layers == 0u) return 1.0;
+  ShadingPoint facing = s;
+  if (dot(s.normal, a.to_light) < 0.0) {
+    facing.normal = -s.normal;
+    facing.bulge_m = -s.bulge_m;
+  }
+  const MapLook m = look_into_map(light, off_the_surface(facing, a, shadow_texel_m(light, a), 2.5));
+  return m.inside ? share_lit(light, a, s, m) : 1.0;
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Tiles of light maps, and the lists of those that a frame lights and blurs:
+// render/passes/light_map/tile_lists.h.
+#ifndef DERMIS_SHARED_TILES_IO_H
+#define DERMIS_SHARED_TILES_IO_H
+#include "render/shared/types.h"
+// Texels of a tile: what one workgroup computes.
+#define TILE_WIDTH 16
+#define TILE_HEIGHT 8
+// Workgroups in x of an indirect dispatch: all devices allow 65535 in each direction.
+#define TILE_ROW 32768
+// Marks of a tile, as bits. Seen: a triangle that a pixel may show touches it. Source: texels of seen
+// tiles beside their charts take their light from it; it is lit as seen ones are. Gutter: light of seen
+// tiles continues there, beyond a seam; it is blurred as well.
+#define TILE_SEEN 1
+#define TILE_SOURCE 2
+#define TILE_GUTTER 4
+// Lists of lit tiles of a square, by material: all materials from the last one on share it.
+#define MOST_TILE_LISTS 8
+DERMIS_IO_BEGIN
+struct TileArgumentsIo {
+  uint groups[3];  // VkDispatchIndirectCommand over the tiles of a list
+};
+DERMIS_IO_END
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "render/techniques/published/cull.h"
+
+#include <algorithm>
+
+#include "frame/resources.h"
+#include "render/passes/asset/posed.h"
+#include "render/passes/light_map/cull.h"
+#include "render/techniques/published/cull_io.h"
+
+namespace dermis::techniques::papers {
+
+Cull::Out Cull::declare(frame::Declare& d) {
+  compute(d, "published/cull.comp");
+  d.write(in.kept);
+  return {};
+}
+
+void Cull::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
+  if (!is_lit(frame, settings.object)) return;
+  const passes::Instance& instance = instance_of(frame, settings.object);
+  passes::Bindings bindings;
+  bindings.add("Frame", frame.frame_io).add("Head", instance.io).add("Kept", resources.buffer(in.kept));
+  passes::offer_mesh(instance, mesh_in_asset(frame, settings.object), bindings);
+  bindings.bind(cmd, pipeline());
+
+  for (const passes::GpuDraw& draw : mesh_of(frame, settings.object).draws) {
+    const io::CullIo cull = passes::cull_io(instance, instance.look->material(draw.material));
+    const std::uint32_t end = (draw.first_index + draw.index_count) / 3;
+    for (std::uint32_t first = draw.first_index / 3; first < end; first += gpu::most_in_row) {
+      const std::uint32_t count = std::min(end - first, gpu::most_in_row);
+      dispatch(cmd, io::CullTrianglesIo{.cull = cull, .first = first, .count = count}, count, 1);
+    }
+  }
+}
+
+}  // namespace dermis::techniques::papers

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "render/techniques/texture_space/report.h"
+
+#include <algorithm>
+
+#include "render/passes/scatter/blur/blur.h"
+#include "render/passes/scatter/kernels.h"
+#include "render/shared/tiles_io.h"
+#include "render/techniques/mapped_terms.h"
+#include "render/techniques/texture_space/counters.h"
+#include "render/techniques/texture_space/light_maps.h"
+
+namespace dermis::techniques {
+namespace {
+
+// Work over the maps of one skin mesh of a head.
+struct Work {
+  std::uint32_t terms = 0;         // Gaussians that are blurred
+  std::uint32_t convolutions = 0;  // passes, both axes counted
+};
+
+// Follows the steps of add_convolution() for a head, and counts instead of adding passes.
+Work work_of(const FrameSettings& settings, const SkinMesh& part, const passes::MappedTerms& mapped) {
+  Work work;
+  if (!mapped.any) return work;
+  std::size_t number = 0;
+  for (const passes::BlurStep& step : passes::blur_steps(part.mapped(), settings.chain_texels_per_mm(part))) {
+    if (number++ < mapped.first_step) continue;
+    work.convolutions += 2;
+    if (step.ends_term) ++work.terms;
+  }
+  return work;
+}
+
+bool has_mesh(const Model& model, std::uint32_t mesh) {
+  return mesh >= model.first_mesh && mesh - model.first_mesh < model.meshes;
+}
+
+// The figures of a frame from its counters; docs/methodology.md says what each means.
+class Figures {
+ public:
+  Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,
+          std::span<const DrawnHead> drawn)
+      : settings_(settings), counters_(counters) {
+    for (const DrawnHead& head : drawn)
+      for (std::uint32_t i = 0; i < settings.models[head.model].meshes; ++i) add(head, i);
+  }
+
+  std::uint64_t irradiance_texels = 0;
+  /// Texels lit by the mesh itself, times the Gaussians that blur them.
+  std::uint64_t convolved_texels = 0;
+  std::uint64_t launched = 0;  ///< shader invocations of shading and convolution
+  std::uint64_t taps = 0;      ///< of convolutions
+
+ private:
+  // Adds what skin mesh `i` of a head has taken.
+  void add(const DrawnHead& head, std::uint32_t i) {
+    const std::uint32_t mesh = settings_.models[head.model].first_mesh + i;
+    const Work work = work_of(settings_, settings_.skin[mesh], mapped_terms(settings_, mesh, head.detail));
+    const auto counted = [&](SquareCounter which) -> std::uint64_t {
+      return counters_[square_counter(settings_, head.head, i, which)];
+    };
+
+    // Shader invocations of one convolution: the tiles.
+    const std::uint64_t at_once = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(counter_tiles);
+    irradiance_texels += counted(counter_lit_texels);
+    convolved_texels += counted(counter_lit_texels) * work.terms;
+    launched += counted(counter_lit_texels) + at_once * work.convolutions;
+    taps += at_once * work.convolutions * (2 * passes::kernel_radius + 1);
+  }
+
+  const FrameSettings& settings_;
+  std::span<const std::uint32_t> counters_;
+};
+
+std::vector<std::string> names_of(const Optimise& optimise) {
+  std::vector<std::string> names;
+  if (optimise.cull) names.emplace_back("cull");
+  if (optimise.depth) names.emplace_back("depth");
+  if (optimise.clip) names.emplace_back("clip");
+  return names;
+}
+
+}  // namespace
+
+FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
+                                 std::span<const DrawnHead> drawn) {
+  DERMIS_ASSERT_EQ(counters.size(), counter_count(settings));
+  const Figures figures(settings, counters, drawn);
+
+  FrameReport report = screen_report(settings, counters, drawn);
+  report.optimise = names_of(settings.optimise);
+  if (settings.optimise.cull || settings.optimise.clip) report.mask = "tiles";
+  report.translucency = settings.translucency;
+  report.shape_aware = std::any_of(settings.skin.begin(), settings.skin.end(),
+                                   [](const SkinMesh& part) { return part.profile.shape.has_value(); });
+  report.irradiance_texels = figures.irradiance_texels;
+  report.convolved_texels = figures.convolved_texels;
+  report.launched = figures.launched;
+  report.light_reads = figures.taps;
+  report.unshaded_reads = counters[counter_unshaded_reads];
+  report.transmission_misses = counters[counter_transmission_misses];
+  return report;
+}
+
+std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
+                                              std::span<const DrawnHead> drawn) {
+  std::vector<GutterSize> sizes;
+
+  for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
+    const SkinMesh& part = settings.skin[mesh];
+    const auto add = [&](std::uint32_t side) {
+      sizes.push_back({.mesh = mesh,
+                       .side = side,
+                       .width_texels = passes::gutter_width(part.profile, part.max_texels_per_mm(side))});
+    };
+
+    add(stretch_side_of(settings));
+    for (const DrawnHead& head : drawn)
+      if (has_mesh(settings.models[head.model], mesh) && mapped_terms(settings, mesh, head.detail).any)
+        add(head.detail.side);
+  }
+  return sizes;
+}
+
+}  // namespace dermis::techniques

@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: MIT
-#version 460
-#define CLIP
-#include "techniques/published/texture_space.glsl"
