@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include "render/techniques/frame_settings.h"
 
-#include "render/techniques/technique.h"
+#include <algorithm>
 
 namespace dermis::techniques {
 
