@@ -46,15 +46,15 @@ job=$(sbatch --parsable "$scratch/job.sh")
 # Processes of the array alone: their command line holds the folder.
 worker_of() { pgrep -f "dataset write $set --shard $1" | head -1; }
 is_drawing() { [[ -n $(worker_of "$1") ]] && compgen -G "$set/train-$2.tar.*" > /dev/null; }
-check "the first task draws" await 120 is_drawing 0-4 000000
-check "the second task draws" await 120 is_drawing 5-9 000005
+check "the first task draws" await 400 is_drawing 0-4 000000
+check "the second task draws" await 400 is_drawing 5-9 000005
 kill -9 "$(worker_of 0-4)"
 # Without control groups the worker of a dead script would go on: here both end, as where there are some.
 second=$(worker_of 5-9)
 kill -9 "$(ps -o ppid= -p "$second" | tr -d ' ')" "$second"
 
 is_over() { [[ -z $(squeue -h -j "$job" 2> /dev/null) ]]; }
-check "the array ends" await 900 is_over
+check "the array ends" await 1300 is_over
 check "the task of the killed worker was requeued" grep -q "ended with 137; requeued" "$set"/slurm-*_0.log
 call scontrol show job "${job}_1"
 check "the task of the killed script was not" says "Restarts=0"
@@ -84,7 +84,7 @@ stub() {
 }
 stub full 'exit 75'
 is_held() { squeue -h -j "$job" -o %r | grep -q "held state"; }
-check "a worker that never can is held" await 120 is_held
+check "a worker that never can is held" await 400 is_held
 check "after three times" test "$(grep -c '75; requeued' "$scratch"/set-full/slurm-*.log)" = 3
 check "with a line that says why" grep -q "with 75 for the fourth time; held" "$scratch"/set-full/slurm-*.log
 scancel "$job"
