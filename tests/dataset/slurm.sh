@@ -92,11 +92,11 @@ scancel "$job"
 # As a minute before the limit.
 stub told 'trap "echo ended in order; exit 75" TERM; sleep 60 & wait'
 is_running() { [[ $(squeue -h -j "$job" -o %t) == R ]]; }
-check "a worker runs" await 60 is_running
+check "a worker runs" await 200 is_running
 sleep 1
 scancel --batch --signal=USR1 "$job"
 was_requeued() { grep -q '75; requeued' "$scratch"/set-told/slurm-*.log; }
-check "one that is told to end is requeued" await 60 was_requeued
+check "one that is told to end is requeued" await 200 was_requeued
 check "after it has ended in order" grep -q "ended in order" "$scratch"/set-told/slurm-*.log
 scancel "$job"
 finish
