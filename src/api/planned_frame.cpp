@@ -7,6 +7,7 @@
 #include "api/scene_state.h"
 #include "base/core/error.h"
 #include "render/setup/camera_matrices.h"
+#include "render/setup/frame_data.h"
 #include "render/techniques/lambert/lambert.h"
 #include "render/techniques/screen.h"
 
