@@ -321,6 +321,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
   plan.tone_map = s.output.tone_map;
   plan.behind = background_of(s.output.background);
   plan.visibility = s.output.show == "visibility";
+  plan.irradiance = s.output.show == "irradiance";
   plan.soft_shadows =
       std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
 

@@ -11,10 +11,16 @@
 #define TILE_ROW 32768
 // Marks of a tile, as bits. Seen: a triangle that a pixel may show touches it. Source: texels of seen
 // tiles beside their charts take their light from it; it is lit as seen ones are. Gutter: light of seen
-// tiles continues there, beyond a seam; it is blurred as well.
+// tiles continues there, beyond a seam; it is blurred as well. Only the first is stored: links tell the
+// others.
 #define TILE_SEEN 1
 #define TILE_SOURCE 2
 #define TILE_GUTTER 4
+// TileLinks: the first link of each tile of a square, and one past the last, then two words per link. The
+// first is a tile; where that is seen, and the second is not, the tile that has the link is lit, or blurred
+// without this bit.
+#define TILE_LINK_LIGHTS 0x80000000u
+#define NO_TILE 0xFFFFFFFFu
 // Lists of lit tiles of a square, by material: all materials from the last one on share it.
 #define MOST_TILE_LISTS 8
 DERMIS_IO_BEGIN

@@ -134,6 +134,7 @@ struct FrameSettings {
   BlurMask mask = BlurMask::depth;  ///< of technique `published`
   bool all_mapped = false;          ///< every term is read from its map, whatever T
   bool visibility = false;          ///< also makes the map that `output.show` "visibility" shows
+  bool irradiance = false;          ///< likewise "irradiance"; else its map may end as another
   bool picture = true;              ///< skin is lit and shaded; else the frame has labels alone
   bool display = true;              ///< FrameOutputs::display is drawn
   bool linear = false;              ///< FrameOutputs::linear is written

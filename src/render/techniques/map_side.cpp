@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "render/techniques/mapped_terms.h"
 
@@ -18,13 +19,15 @@ std::uint32_t side_of(double texels, std::uint32_t most) {
   return smaller == sides.begin() ? sides.front() : *(smaller - 1);
 }
 
-// Returns the texels of a side on which the narrowest term is held for which `wanted`; 0: there is none.
+// Returns the texels of a side on which the narrowest term is held for which `wanted`, at these pixels per
+// mm; 0: there is none.
 template <class Wanted>
-double texels_for(const SkinMesh& part, const Wanted& wanted) {
+double texels_for(const SkinMesh& part, double pixels_per_mm, const Wanted& wanted) {
   if (!(part.mean_uv_per_mm > 0)) return 0;
   for (const Gaussian& term : part.profile.terms) {
     const double sigma_mm = std::sqrt(term.variance_mm2);
-    if (wanted(sigma_mm)) return held_sigma_texels / (sigma_mm * part.mean_uv_per_mm);
+    if (wanted(sigma_mm))
+      return held_sigma_texels(part, sigma_mm, pixels_per_mm) / (sigma_mm * part.mean_uv_per_mm);
   }
   return 0;
 }
@@ -42,7 +45,8 @@ std::vector<std::uint32_t> sides_by_need(std::uint32_t most) {
 }
 
 std::uint32_t near_side(const SkinMesh& part, std::uint32_t most) {
-  return side_of(texels_for(part, [&](double sigma_mm) { return sigma_mm >= part.wide_mm; }), most);
+  const auto is_wide = [&](double sigma_mm) { return sigma_mm >= part.wide_mm; };
+  return side_of(texels_for(part, std::numeric_limits<double>::infinity(), is_wide), most);
 }
 
 std::uint32_t side_by_need(const FrameSettings& settings, const Model& model, double pixels_per_mm,
@@ -53,7 +57,7 @@ std::uint32_t side_by_need(const FrameSettings& settings, const Model& model, do
     const auto shows = [&](double sigma_mm) {
       return sigma_mm * pixels_per_mm > least_sigma_pixels(part, sigma_mm);
     };
-    texels = std::max(texels, texels_for(part, shows));
+    texels = std::max(texels, texels_for(part, pixels_per_mm, shows));
   }
   return side_of(texels, most);
 }

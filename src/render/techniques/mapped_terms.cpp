@@ -19,6 +19,8 @@ constexpr double mapped_sigma_texels = 0.35;
 // Sigma, in pixels, by which a pixel averages light: as a map holds a term of some sigma, it holds light that
 // is not blurred where pixels are that coarse.
 constexpr double pixel_sigma = 0.5;
+// That sigma, in texels, from which pixels read such light.
+constexpr double entered_sigma_texels = 0.2;
 // The rest stays lit at the pixel, where rims that are lit from behind are dark as they should be. The mean
 // of both is nearer to the truth than either.
 constexpr double most_entered_share = 0.5;
@@ -37,6 +39,12 @@ float mapped_share(const SkinMesh& part, double sigma_mm, const MapDetail& detai
 
 }  // namespace
 
+// Fewer texels raise the error by under 5 % on the scan where sigma is under three pixels, and by 9 % in
+// close-ups.
+double held_sigma_texels(const SkinMesh& part, double sigma_mm, double pixels_per_mm) {
+  return sigma_mm >= part.wide_mm && sigma_mm * pixels_per_mm < 3 ? 0.7 : 0.9;
+}
+
 double least_sigma_pixels(const SkinMesh& part, double sigma_mm) {
   if (sigma_mm < part.wide_mm) return 2.5;
   const bool widest = sigma_mm * sigma_mm >= part.profile.max_variance_mm2() * (1 - 1e-9);
@@ -45,7 +53,7 @@ double least_sigma_pixels(const SkinMesh& part, double sigma_mm) {
 
 float entered_share(const SkinMesh& part, const MapDetail& detail) {
   const double sigma_texels = pixel_sigma / detail.pixels_per_mm * part.mean_uv_per_mm * detail.side;
-  const double most = smoothstep(mapped_sigma_texels, 1.5 * mapped_sigma_texels, sigma_texels);
+  const double most = smoothstep(entered_sigma_texels, 1.5 * entered_sigma_texels, sigma_texels);
   return static_cast<float>(most_entered_share * most);
 }
 
@@ -99,6 +107,20 @@ std::vector<passes::MappedTerms> mapped_terms_of(const FrameSettings& settings, 
   for (std::uint32_t i = 0; i < model.meshes; ++i)
     terms.push_back(mapped_terms(settings, model.first_mesh + i, detail));
   return terms;
+}
+
+std::size_t direct_steps(const FrameSettings& settings, const SkinMesh& part) {
+  constexpr std::size_t most = 2;
+  if (!settings.mixes()) return 1;
+  const double reach_mm = passes::kernel_max_sigma / settings.chain_texels_per_mm(part);
+  const std::vector<std::size_t> groups = part.through_groups();
+  const std::span<const Gaussian> mapped = part.mapped();
+  std::size_t steps = 0;
+  for (; steps < std::min(most, mapped.size()); ++steps) {
+    const bool joined = settings.translucency && groups.size() > 1 && steps >= groups[1];
+    if (joined || mapped[steps].variance_mm2 > reach_mm * reach_mm) break;
+  }
+  return std::max<std::size_t>(steps, 1);
 }
 
 int mapped_count(const FrameSettings& settings, std::uint32_t mesh, const MapDetail& detail) {

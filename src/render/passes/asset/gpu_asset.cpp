@@ -348,18 +348,13 @@ void GpuAsset::make_gutters(gpu::Device& device, std::size_t number, const scene
   GpuMesh& mesh = skin[number];
   GpuMesh::Gutters& made = mesh.gutters[side];
   if (made.width_texels >= width_texels) return;
-  std::vector<io::GutterIo> list;
-  const auto [gutters, own] = gutter_list(skin_mesh, static_cast<int>(side), width_texels);
-  for (std::size_t i = 0; i < gutters.size(); ++i)
-    list.push_back({.texel = gutters[i].x | static_cast<std::uint32_t>(gutters[i].y) << 16,
-                    .own = own[i].x | own[i].y << 16,
-                    .source = {gutters[i].source_x, gutters[i].source_y},
-                    .chart = gutters[i].chart});
+  const std::vector<io::GutterIo> list = packed(gutter_list(skin_mesh, static_cast<int>(side), width_texels));
   made.width_texels = width_texels;
   made.count = static_cast<std::uint32_t>(list.size());
-  if (!list.empty())
-    made.list =
-        gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+  if (list.empty()) return;
+  made.list = gpu::make_buffer(device, mesh.name + " gutters", std::span<const io::GutterIo>(list), storage);
+  made.tile_links = gpu::make_buffer(device, mesh.name + " tile links",
+                                     std::span<const std::uint32_t>(tile_links(list, side)), storage);
 }
 
 void GpuAsset::make_welded(gpu::Device& device, std::size_t number, const scene::SkinMesh& skin_mesh) {

@@ -97,7 +97,8 @@ struct GpuMesh {
 
   /// By the side of the light map, see GpuAsset::make_gutters.
   struct Gutters {
-    gpu::Buffer list;  ///< GutterIo[]
+    gpu::Buffer list;        ///< GutterIo[]
+    gpu::Buffer tile_links;  ///< uint[], passes::tile_links()
     std::uint32_t count = 0;
     int width_texels = 0;
   };

@@ -2,11 +2,15 @@
 #include "render/passes/asset/gutter_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <set>
 
 #include "base/core/parallel.h"
 #include "head/scene/surface/coverage.h"
+#include "render/shared/tiles_io.h"
 
 namespace dermis::passes {
 namespace {
@@ -146,6 +150,48 @@ GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texe
     }
   });
   return list;
+}
+
+std::vector<io::GutterIo> packed(const GutterList& list) {
+  std::vector<io::GutterIo> all;
+  for (std::size_t i = 0; i < list.texels.size(); ++i) {
+    const scene::GutterTexel& texel = list.texels[i];
+    all.push_back({.texel = texel.x | static_cast<std::uint32_t>(texel.y) << 16,
+                   .own = list.own[i].x | list.own[i].y << 16,
+                   .source = {texel.source_x, texel.source_y},
+                   .chart = texel.chart});
+  }
+  return all;
+}
+
+std::vector<std::uint32_t> tile_links(const std::vector<io::GutterIo>& gutters, std::uint32_t side) {
+  const std::uint32_t across = (side + TILE_WIDTH - 1) / TILE_WIDTH,
+                      down = (side + TILE_HEIGHT - 1) / TILE_HEIGHT;
+  const auto tile_at = [&](std::uint32_t x, std::uint32_t y) {
+    return y / TILE_HEIGHT * across + x / TILE_WIDTH;
+  };
+  const auto tile_of = [&](std::uint32_t packed) { return tile_at(packed & 0xFFFFu, packed >> 16); };
+
+  // Of the tile that a link brings in, the seen tile, and the one that must not be seen.
+  std::set<std::array<std::uint32_t, 3>> links;
+  for (const io::GutterIo& g : gutters) {
+    const std::uint32_t tile = tile_of(g.texel), own = tile_of(g.own),
+                        source = tile_at(static_cast<std::uint32_t>(g.source.x),
+                                         static_cast<std::uint32_t>(g.source.y));
+    if (source != tile) links.insert({source, tile | TILE_LINK_LIGHTS, g.own == g.texel ? NO_TILE : own});
+    if (g.chart == 0) continue;
+    for (const std::uint32_t seen : {source, own})
+      if (seen != tile) links.insert({tile, seen, NO_TILE});
+  }
+
+  std::vector<std::uint32_t> all;
+  auto link = links.begin();
+  for (std::uint32_t tile = 0; tile <= across * down; ++tile) {
+    while (link != links.end() && (*link)[0] < tile) ++link;
+    all.push_back(static_cast<std::uint32_t>(std::distance(links.begin(), link)));
+  }
+  for (const auto& [tile, seen, unless] : links) all.insert(all.end(), {seen, unless});
+  return all;
 }
 
 }  // namespace dermis::passes

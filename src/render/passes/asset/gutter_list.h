@@ -29,4 +29,11 @@ inline glm::uvec2 gutter_invocations(std::uint32_t count) {
 
 GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texels);
 
+/// Returns a list as shaders read it.
+std::vector<io::GutterIo> packed(const GutterList& list);
+
+/// Returns, for each tile of a map of `side` texels, by which seen tiles its gutters bring it into a frame:
+/// TileLinks of render/shared/tiles_io.h.
+std::vector<std::uint32_t> tile_links(const std::vector<io::GutterIo>& gutters, std::uint32_t side);
+
 }  // namespace dermis::passes

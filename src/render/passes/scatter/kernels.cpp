@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/scatter/kernels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace dermis::passes {
 
-static_assert(KERNEL_FLOATS == KERNEL_RADIUS + 2);
+static_assert(KERNEL_FLOATS > KERNEL_RADIUS && KERNEL_FLOATS % 4 == 0);
 
 namespace {
 
@@ -64,7 +65,7 @@ HalfKernel texel_averaged_gaussian(double sigma) {
 
 static void add_row(std::vector<float>& table, const HalfKernel& kernel) {
   for (const double w : kernel) table.push_back(static_cast<float>(w));
-  table.push_back(static_cast<float>(variance(kernel)));
+  table.resize(table.size() + KERNEL_FLOATS - kernel.size(), 0.0f);
 }
 
 std::vector<float> gaussian_table(int radius) {
@@ -74,11 +75,17 @@ std::vector<float> gaussian_table(int radius) {
   return table;
 }
 
+int reach_of(double sigma) {
+  return std::clamp(static_cast<int>(std::ceil(kernel_reach * sigma)), 1, kernel_radius);
+}
+
 static std::vector<float> make_kernel_table() {
   static_assert(3 * kernel_max_sigma == kernel_radius);
-  std::vector<float> table = gaussian_table(kernel_radius);
+  const auto sigma = [](int row) { return kernel_max_sigma * row / (kernel_rows - 1); };
+  std::vector<float> table;
   for (int row = 0; row < kernel_rows; ++row)
-    add_row(table, texel_averaged_gaussian(kernel_max_sigma * row / (kernel_rows - 1)));
+    add_row(table, discrete_gaussian(sigma(row), reach_of(sigma(row))));
+  for (int row = 0; row < kernel_rows; ++row) add_row(table, texel_averaged_gaussian(sigma(row)));
   return table;
 }
 

@@ -13,11 +13,13 @@ namespace dermis::passes {
 
 inline constexpr int kernel_radius = KERNEL_RADIUS;
 inline constexpr double kernel_max_sigma = KERNEL_MAX_SIGMA;
+inline constexpr double spaced_max_sigma = SPACED_MAX_SIGMA;
 inline constexpr int kernel_rows = KERNEL_ROWS;
-/// Texels that a step reads per side, per texel of its sigma.
+/// Taps per side that a blur reads, per tap spacing of its sigma.
 inline constexpr double kernel_reach = kernel_radius / kernel_max_sigma;
 
-using HalfKernel = std::array<double, kernel_radius + 1>;  ///< weights of taps 0, +-1, .. +-6; w0 + 2 sum = 1
+using HalfKernel =
+    std::array<double, kernel_radius + 1>;  ///< weights of taps 0, +-1, .. +-12; w0 + 2 sum = 1
 
 /// Returns a sampled Gaussian of taps 0, +-1, .. +-radius whose weights sum to 1 and whose variance is
 /// sigma^2 exactly (sigma 0..radius / 3).
@@ -30,8 +32,11 @@ HalfKernel texel_averaged_gaussian(double sigma);
 
 double variance(const HalfKernel& kernel);
 
-/// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats (the last is the row's variance):
-/// discrete_gaussian, texel_averaged_gaussian. Made once.
+/// Returns the taps on either side that hold a Gaussian: kernel_reach of them, at least one.
+int reach_of(double sigma);
+
+/// Returns two tables of kernel_rows rows of KERNEL_FLOATS floats: discrete_gaussian,
+/// texel_averaged_gaussian. Made once.
 const std::vector<float>& kernel_table();
 
 /// Returns kernel_rows rows of KERNEL_FLOATS floats: discrete_gaussian() of this radius, sigma 0..radius / 3.

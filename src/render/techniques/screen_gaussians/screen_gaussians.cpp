@@ -15,8 +15,7 @@ namespace dermis::techniques {
 namespace {
 
 // Taps of one axis of one Gaussian; those of the authors are always seven.
-constexpr TapRange gaussian_taps{
-    .least = 5, .most = 2 * passes::kernel_radius + 1, .usual = 13, .odd = true, .published = 7};
+constexpr TapRange gaussian_taps{.least = 5, .most = 13, .usual = 13, .odd = true, .published = 7};
 
 // The published skin has a part that is not blurred, whatever the profile, unless no light is to scatter at
 // all.

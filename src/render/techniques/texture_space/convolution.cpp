@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "render/passes/light_map/transmission.h"
+#include "render/techniques/mapped_terms.h"
 #include "render/techniques/texture_space/mesh_steps.h"
 
 namespace dermis::techniques {
@@ -18,9 +19,16 @@ using passes::MapSquare;
 // Where the light of a skin mesh is between two steps of its chain of blurs. Heads enter the chain at
 // different steps: see passes::MappedTerms.
 struct ChainLight {
-  frame::TextureId blurred;     // of heads that have entered
-  frame::TextureId start;       // of the others; the same before the first step, and where all enter there
-  std::uint32_t next_step = 0;  // of passes::blur_steps()
+  frame::TextureId blurred;  // of heads that have entered
+  frame::TextureId start;    // of the others; the same before the first step, and where all enter there
+};
+
+// A step of passes::blur_steps(), and the term of whose map it is.
+struct Step {
+  std::uint32_t number = 0;
+  std::size_t term = 0;
+  double variance_mm2 = 0;
+  double total_mm2 = 0;  // of all steps so far
 };
 
 // Makes the chain of blurs of one skin mesh: knows in which map the light is that the next step blurs.
@@ -36,50 +44,71 @@ class MakeChain {
   MeshSteps make() {
     const SkinMesh& part = settings_->skin[mesh_];
     const std::vector<std::size_t> groups = part.through_groups();
-    std::size_t term = 0;
-    bool term_ended = false;
+    const std::vector<passes::BlurStep> steps =
+        passes::blur_steps(part.mapped(), settings_->chain_texels_per_mm(part));
+    const std::size_t direct = direct_steps(*settings_, part);
+    std::vector<Step> round;
+    Step step;
 
-    for (const passes::BlurStep& step :
-         passes::blur_steps(part.mapped(), settings_->chain_texels_per_mm(part))) {
+    for (std::size_t i = 0; i < steps.size(); ++i) {
       // A group of terms begins: its transmitted light joins before its first step.
+      const bool term_ended = i > 0 && steps[i - 1].ends_term;
       for (std::size_t g = 1; term_ended && settings_->translucency && g < groups.size(); ++g)
-        if (groups[g] == term) add_transmitted(g);
+        if (groups[g] == step.term) add_transmitted(g, step.number);
 
-      add_step(step, term);
-      term_ended = step.ends_term;
-      if (term_ended) ++term;
+      step.variance_mm2 = steps[i].variance_mm2;
+      step.total_mm2 += step.variance_mm2;
+      round.push_back(step);
+      if (i + 1 >= direct) {
+        add_round(round);
+        round.clear();
+      }
+      ++step.number;
+      if (steps[i].ends_term) ++step.term;
     }
     return std::move(steps_);
   }
 
  private:
-  // Blurs along both axes into the map of the term, then refreshes the gutters. A step that does not end the
-  // term is written there, too: the one that ends it overwrites it.
-  void add_step(const passes::BlurStep& step, std::size_t term) {
-    Blur::Settings blur{
-        .squares = squares_, .variance_mm2 = step.variance_mm2, .texel_averaged = light_.next_step == 0};
-    total_mm2_ += step.variance_mm2;
-    const std::uint32_t number = light_.next_step++;
-    blur.chain = passes::ChainStep{.number = number, .total_mm2 = total_mm2_};
-    const std::string name = fmt::format("blur {}", number);
-    const frame::TextureId stretch = maps_->stretch(mesh_), target = maps_->blurred()[term];
-    steps_.add<Blur>(name + " u", {light_.blurred, stretch, maps_->scratch(), maps_->tiles(), light_.start},
-                     blur);
-    blur.axis = 1;
-    steps_.add<Blur>(name + " v", {maps_->scratch(), stretch, target, maps_->tiles()}, blur);
-    steps_.add<Gutters>(name + " gutters", {target}, {.squares = squares_, .step = number});
+  // Blurs along both axes into the maps of the terms, then refreshes the gutters. Several steps are each
+  // from the light before any blur. One that does not end its term is written to its map, too: the one that
+  // ends it overwrites it.
+  void add_round(const std::vector<Step>& round) {
+    const std::string name = fmt::format("blur {}", round.front().number);
+    const frame::TextureId stretch = maps_->stretch(mesh_);
+    const auto target = [&](const Step& step) { return maps_->blurred()[step.term]; };
 
-    light_.blurred = target;
-    if (!settings_->mixes()) light_.start = target;
+    for (const std::uint32_t axis : {0u, 1u})
+      for (std::size_t i = 0; i < round.size(); ++i) {
+        const Step& step = round[i];
+        const bool first = step.number == 0 || round.size() > 1;
+        const Blur::Settings blur{
+            .squares = squares_,
+            .variance_mm2 = first ? step.total_mm2 : step.variance_mm2,
+            .axis = axis,
+            .texel_averaged = first,
+            .chain = passes::ChainStep{.number = step.number, .total_mm2 = step.total_mm2}};
+        const frame::TextureId scratch = maps_->scratch()[i];
+        if (axis == 0)
+          steps_.add<Blur>(name + " u", {light_.blurred, stretch, scratch, maps_->tiles(), light_.start},
+                           blur);
+        else
+          steps_.add<Blur>(name + " v", {scratch, stretch, target(step), maps_->tiles()}, blur);
+      }
+    for (const Step& step : round)
+      steps_.add<Gutters>(name + " gutters", {target(step)}, {.squares = squares_, .step = step.number});
+
+    light_.blurred = target(round.back());
+    if (!settings_->mixes()) light_.start = light_.blurred;
   }
 
   // Adds the light that the terms from here on bring through the body to what the terms before have spread;
   // see render/passes/light_map/transmission.h.
-  void add_transmitted(std::size_t group) {
+  void add_transmitted(std::size_t group, std::uint32_t next_step) {
     const frame::TextureId through = maps_->transmitted()[group - 1];
     const std::string name = fmt::format("add transmitted {}", group);
     steps_.add<AddTransmitted>(name, {light_.blurred, light_.start, through},
-                               {.squares = squares_, .next_step = light_.next_step});
+                               {.squares = squares_, .next_step = next_step});
     steps_.add<Gutters>(name + " gutters", {through}, {.squares = squares_});
     light_.blurred = light_.start = through;
   }
@@ -88,8 +117,7 @@ class MakeChain {
   const LightMaps* maps_;
   std::uint32_t mesh_;
   std::vector<MapSquare> squares_;
-  ChainLight light_;      // input of the next step
-  double total_mm2_ = 0;  // of all steps so far
+  ChainLight light_;  // input of the next step
   MeshSteps steps_;
 };
 

@@ -11,6 +11,7 @@
 #include "render/passes/light_map/stretch/stretch.h"
 #include "render/passes/light_map/texel_map/texel_map.h"
 #include "render/passes/light_map/tiles/tiles.h"
+#include "render/techniques/mapped_terms.h"
 #include "render/techniques/texture_space/counters.h"
 
 namespace dermis::techniques {
@@ -26,24 +27,32 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   tiles_ = passes::make_tile_lists(plan, pool_.squares(), pool_.cell_side(), materials);
   texels_ = passes::make_texel_map(plan, pool_.texture());
 
-  light_ = plan.texture("irradiance", pool_.texture());
-  scratch_ = plan.texture("scratch", pool_.texture());
-  entered_ = light_;
-  if (settings.translucency && std::ranges::any_of(settings.skin, &SkinMesh::reads_entered))
-    entered_ = plan.texture("entered light", pool_.texture());
-  std::size_t terms = 0, groups = 1;
+  light_ = entered_ = make_map("irradiance");
+  const bool reads_entered = std::ranges::any_of(settings.skin, &SkinMesh::reads_entered);
+  if (settings.translucency && reads_entered) entered_ = make_map("entered light");
+  std::size_t terms = 0, groups = 1, scratch = 1;
+  bool chains = false;  // blurs of some mesh begin after others have ended
   for (const SkinMesh& part : settings.skin) {
     terms = std::max<std::size_t>(terms, part.mapped_count());
     groups = std::max(groups, part.through_groups().size());
+    scratch = std::max(scratch, direct_steps(settings, part));
+    chains = chains || direct_steps(settings, part) < part.mapped_count();
   }
+  for (std::size_t k = 0; k < scratch; ++k) scratch_.push_back(make_map(fmt::format("scratch {}", k)));
+  const bool light_ends = !chains && !settings.irradiance && (!reads_entered || settings.translucency);
   for (std::size_t k = 0; k < terms; ++k)
-    blurred_.push_back(plan.texture(fmt::format("light {}", k), pool_.texture()));
+    blurred_.push_back(light_ends && k + 1 == terms ? light_ : make_map(fmt::format("light {}", k)));
   // The first group of transmitted light joins in the irradiance map itself.
   for (std::size_t g = 1; settings.translucency && g < groups; ++g)
-    transmitted_.push_back(plan.texture(fmt::format("joining {}", g), pool_.texture()));
+    transmitted_.push_back(make_map(fmt::format("joining {}", g)));
   if (settings.host_lights()) host_irradiance_ = plan.texture("host irradiance", pool_.texture());
   make_stretch();
   screen.clear_with_ids({tiles_.marks, tiles_.counts, tiles_.arguments});
+}
+
+frame::TextureId LightMaps::make_map(std::string name) {
+  light_maps_.push_back(plan_->texture(std::move(name), pool_.texture()));
+  return light_maps_.back();
 }
 
 // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
@@ -64,11 +73,9 @@ frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
 }
 
 std::vector<frame::TextureId> LightMaps::textures() const {
-  std::vector<frame::TextureId> all = blurred_;
-  all.insert(all.end(), transmitted_.begin(), transmitted_.end());
+  std::vector<frame::TextureId> all = light_maps_;
   if (host_irradiance_.valid()) all.push_back(host_irradiance_);
-  for (const frame::TextureId map : {texels_, light_, scratch_}) all.push_back(map);
-  if (entered_.index != light_.index) all.push_back(entered_);
+  all.push_back(texels_);
   return all;
 }
 
@@ -180,13 +187,7 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
                                  .clip = settings_->optimise.clip,
                                  .exit_offsets = exit_offsets});
   screen_->add_next_of_entries();
-  plan_->add<passes::GutterTiles>(name("gutter tiles"), {tiles_}, {.squares = all});
-  screen_->add_next_of_entries();
-  passes::Tiles::In tiles{tiles_, screen_->counters(), transmitted_};
-  tiles.maps.insert(tiles.maps.end(), blurred_.begin(), blurred_.end());
-  for (const frame::TextureId map : {light_, scratch_}) tiles.maps.push_back(map);
-  if (entered_.index != light_.index) tiles.maps.push_back(entered_);
-  plan_->add<passes::Tiles>(name("tiles"), tiles,
+  plan_->add<passes::Tiles>(name("tiles"), {tiles_, screen_->counters(), light_maps_},
                             {.squares = all,
                              .first_slot = square_counter(*settings_, 0, 0, counter_tiles),
                              .slots_per_instance = counter_head_stride(*settings_),

@@ -38,9 +38,11 @@ class LightMaps {
   const MapPool& pool() const { return pool_; }
   frame::TextureId light() const { return light_; }          ///< input of the first blur
   frame::TextureId entered() const { return entered_; }      ///< without light through the body
-  frame::TextureId scratch() const { return scratch_; }      ///< between both axes of a blur
   const passes::TileLists& tiles() const { return tiles_; }  ///< that are lit and blurred
-  const std::vector<frame::TextureId>& blurred() const { return blurred_; }  ///< one per term
+  /// Between both axes of a blur: one per term that is blurred at a time.
+  const std::vector<frame::TextureId>& scratch() const { return scratch_; }
+  /// One per term. The last may be that of light(), once nothing reads it any more.
+  const std::vector<frame::TextureId>& blurred() const { return blurred_; }
   const std::vector<frame::TextureId>& transmitted() const { return transmitted_; }
   /// Returns the stretch map of a mesh. Meshes that take turns with a square take turns with this, too.
   frame::TextureId stretch(std::uint32_t mesh) const;
@@ -59,6 +61,7 @@ class LightMaps {
     std::vector<passes::MapSquare> squares = {};
   };
   std::vector<StretchPass> stretch_passes(const std::vector<passes::MapSquare>& squares) const;
+  frame::TextureId make_map(std::string name);
   void make_stretch();
   void add_tiles(const std::vector<passes::MapSquare>& all);
 
@@ -66,10 +69,11 @@ class LightMaps {
   const FrameSettings* settings_;
   Screen* screen_;
   MapPool pool_;
-  std::uint32_t turn_ = 0;  // of the pool
-  frame::TextureId light_, scratch_, entered_;
+  std::uint32_t turn_ = 0;                    // of the pool
+  std::vector<frame::TextureId> light_maps_;  // all that hold light of ours
+  frame::TextureId light_, entered_;
   passes::TileLists tiles_;
-  std::vector<frame::TextureId> blurred_;
+  std::vector<frame::TextureId> scratch_, blurred_;
   std::vector<frame::TextureId> stretch_;      // by unwrap, or by turn of the meshes of a head
   frame::TextureId host_irradiance_;           // valid if a host draws the light
   frame::TextureId texels_;                    // of passes::TexelMap

@@ -5,8 +5,8 @@
 
 namespace dermis::techniques {
 
-// Takes the step of the mesh that has most left, and of all others whose next step has its name; meshes with
-// fewer steps wait. Returns none if all are done.
+// Takes the step of the mesh that has most left, and all next steps of its name; meshes with fewer steps
+// wait. Returns none if all are done.
 std::vector<MeshSteps::Step> MeshSteps::take_next(std::vector<MeshSteps>& meshes) {
   const auto steps_left = [](const MeshSteps& mesh) { return mesh.steps_.size(); };
   const auto longest = std::ranges::max_element(meshes, {}, steps_left);
@@ -15,9 +15,10 @@ std::vector<MeshSteps::Step> MeshSteps::take_next(std::vector<MeshSteps>& meshes
 
   const std::string name = longest->steps_.front().name;
   for (MeshSteps& mesh : meshes) {
-    if (mesh.steps_.empty() || mesh.steps_.front().name != name) continue;
-    taken.push_back(std::move(mesh.steps_.front()));
-    mesh.steps_.pop_front();
+    while (!mesh.steps_.empty() && mesh.steps_.front().name == name) {
+      taken.push_back(std::move(mesh.steps_.front()));
+      mesh.steps_.pop_front();
+    }
   }
   return taken;
 }

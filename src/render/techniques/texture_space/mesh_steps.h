@@ -38,7 +38,7 @@ class MeshSteps {
   std::deque<Step> steps_;
 };
 
-/// Meshes whose next step has the same name take it in one pass. Steps of one name are of one kind of pass.
+/// Next steps that have the same name become one pass, of all meshes. They are of one kind of pass.
 void add_steps(passes::FramePlan& plan, const LightMaps& maps, std::vector<MeshSteps> meshes);
 
 }  // namespace dermis::techniques

@@ -8,6 +8,7 @@
 #include "frame/resources.h"
 #include "frame/together.h"
 #include "render/passes/bindings.h"
+#include "render/passes/finish/bloom/bloom_io.h"
 
 namespace dermis::passes {
 namespace {
@@ -20,7 +21,7 @@ constexpr float narrow_weight = 0.0174f, wide_weight = 0.192f, narrow_variance =
 }  // namespace
 
 BloomStep::Out BloomStep::declare(frame::Declare& d) {
-  compute(d, "bloom.comp");
+  compute(d, settings.halvings > 0 ? "bloom_downsample.comp" : "bloom_blur.comp");
   d.read(in.picture);
   d.write(in.target);
   return {};
@@ -32,16 +33,12 @@ void BloomStep::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
       .add("target", resources.storage(in.target))
       .bind(cmd, pipeline());
   const gpu::TextureDesc& target = resources.texture(in.target).desc();
-  dispatch(cmd,
-           io::BloomIo{.mode = static_cast<std::uint32_t>(settings.mode),
-                       .sigma = settings.sigma,
-                       .halvings = settings.halvings},
-           target.width, target.height);
+  constexpr std::uint32_t turns = BLOOM_HEIGHT / BLOOM_ROWS_AT_ONCE;
+  dispatch(cmd, io::BloomIo{.sigma = settings.sigma, .halvings = settings.halvings}, target.width,
+           settings.halvings > 0 ? target.height : (target.height + turns - 1) / turns);
 }
 
 namespace {
-
-using Mode = BloomStep::Mode;
 
 // A Gaussian, and the picture that it blurs.
 struct OnLevel {
@@ -72,7 +69,7 @@ Bloom add_bloom(FramePlan& plan, frame::TextureId picture) {
   Bloom bloom{.narrow = {.weight = narrow_weight / (narrow_weight + wide_weight)},
               .wide = {.weight = wide_weight / (narrow_weight + wide_weight)}};
 
-  frame::Together<BloomStep>::In smaller, along_x, along_y;
+  frame::Together<BloomStep>::In smaller, blurs;
   const auto add = [&](const std::string& name, float variance, SpreadLight& spread) {
     const OnLevel level = level_of(variance * radius_pixels * radius_pixels);
     const std::uint32_t side = 1u << level.halvings;
@@ -80,20 +77,18 @@ Bloom add_bloom(FramePlan& plan, frame::TextureId picture) {
     desc.usage = 0;
     desc.width = (full.width + side - 1) / side;
     desc.height = (full.height + side - 1) / side;
-    const frame::TextureId start = plan.texture(name + " start", desc), x = plan.texture(name + " x", desc);
+    const frame::TextureId start = plan.texture(name + " start", desc);
     spread.picture = plan.texture(name, desc);
     spread.halvings = level.halvings;
 
-    smaller.members.push_back({{picture, start}, {.mode = Mode::downsample, .halvings = level.halvings}});
-    along_x.members.push_back({{start, x}, {.mode = Mode::blur_x, .sigma = level.sigma}});
-    along_y.members.push_back({{x, spread.picture}, {.mode = Mode::blur_y, .sigma = level.sigma}});
+    smaller.members.push_back({{picture, start}, {.halvings = level.halvings}});
+    blurs.members.push_back({{start, spread.picture}, {.sigma = level.sigma}});
   };
   add("bloom narrow", narrow_variance, bloom.narrow);
   add("bloom wide", wide_variance, bloom.wide);
 
   plan.add<frame::Together<BloomStep>>("bloom downsample", smaller);
-  plan.add<frame::Together<BloomStep>>("bloom x", along_x);
-  plan.add<frame::Together<BloomStep>>("bloom y", along_y);
+  plan.add<frame::Together<BloomStep>>("bloom blur", blurs);
   return bloom;
 }
 

@@ -7,7 +7,6 @@
 
 #include "frame/graph.h"
 #include "render/passes/compute_pass.h"
-#include "render/passes/finish/bloom/bloom_io.h"
 #include "render/passes/finish/spread_light.h"
 #include "render/passes/frame_data.h"
 
@@ -16,15 +15,9 @@ namespace dermis::passes {
 /// One step; add_bloom() strings them together.
 class BloomStep : public ComputePass {
  public:
-  enum class Mode : std::uint32_t {
-    downsample = BLOOM_DOWNSAMPLE,
-    blur_x = BLOOM_BLUR_X,
-    blur_y = BLOOM_BLUR_Y
-  };
   struct Settings {
-    Mode mode = Mode::downsample;
-    float sigma = 0;             ///< blur_x, blur_y: pixels of the picture that is blurred
-    std::uint32_t halvings = 0;  ///< downsample: from the picture to the target
+    float sigma = 0;             ///< of a blur: pixels of the picture that is blurred
+    std::uint32_t halvings = 0;  ///< from the picture to the target; 0: it is blurred
   } settings;
   struct In {
     frame::TextureId picture, target;

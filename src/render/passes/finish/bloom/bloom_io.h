@@ -4,13 +4,14 @@
 #include "render/shared/types.h"
 DERMIS_IO_BEGIN
 
-// The steps, BloomIo::mode.
-#define BLOOM_DOWNSAMPLE 0u
-#define BLOOM_BLUR_X 1u
-#define BLOOM_BLUR_Y 2u
+// Pixels that a workgroup blurs, and rows that it takes at once.
+#define BLOOM_WIDTH 16
+#define BLOOM_HEIGHT 64
+#define BLOOM_ROWS_AT_ONCE 8
+// Three sigma of the widest Gaussian: add_bloom() halves the picture until it is narrower.
+#define BLOOM_MOST_REACH 16
 
 struct BloomIo {
-  uint mode;      // BLOOM_...
   float sigma;    // to blur: pixels of the picture that is blurred
   uint halvings;  // to downsample: from the picture to the target
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lists the tiles of a square by their marks. Their order differs from run to run; the results do not.
+// Lists the tiles of a square by their marks, and those beyond seams of seen ones. Their order differs from
+// run to run; the results do not.
 #version 460
 #include "render/passes/light_map/tiles/tiles_io.h"
 #include "render/shaders/tile_list.glsl"
@@ -10,6 +11,7 @@ layout(binding = 1, scalar) writeonly buffer Tiles { uint tiles[]; };
 layout(binding = 2, scalar) buffer TileArguments { TileArgumentsIo tile_arguments[]; };
 layout(binding = 3, scalar) buffer TileCounts { uint tile_counts[]; };
 layout(binding = 4, scalar) buffer Counters { uint counters[]; };
+layout(binding = 5, scalar) readonly buffer TileLinks { uint tile_links[]; };
 
 void add_to(uint list, uvec2 tile) {
   const uint i = atomicAdd(tile_counts[list], 1u);
@@ -19,17 +21,34 @@ void add_to(uint list, uvec2 tile) {
   atomicMax(tile_arguments[list].groups[2], 1u);
 }
 
-void main() {
-  const uvec2 tile = gl_GlobalInvocationID.xy, across = tiles_across(io.side);
-  if (any(greaterThanEqual(tile, across))) return;
+bool is_seen(uint tile) { return tile != NO_TILE && (tile_marks[io.first_tile + tile] & TILE_SEEN) != 0u; }
 
-  const uint marks = tile_marks[io.first_tile + tile.y * across.x + tile.x];
+// Returns the marks that a tile has from seen ones beyond its seams: those in which its light continues, and
+// those whose gutters have nothing of their own chart to repeat.
+uint linked_marks(uint tile, uint tiles) {
+  uint marks = 0u;
+  for (uint i = tile_links[tile]; i < tile_links[tile + 1u]; ++i) {
+    const uint at = tiles + 1u + 2u * i, seen = tile_links[at];
+    const bool lights = (seen & TILE_LINK_LIGHTS) != 0u;
+    if (is_seen(seen & ~TILE_LINK_LIGHTS) && !is_seen(tile_links[at + 1u]))
+      marks |= lights ? uint(TILE_SOURCE) : uint(TILE_GUTTER);
+  }
+  return marks;
+}
+
+void main() {
+  const uvec2 at = gl_GlobalInvocationID.xy, across = tiles_across(io.side);
+  if (any(greaterThanEqual(at, across))) return;
+
+  const uint tile = at.y * across.x + at.x;
+  uint marks = tile_marks[io.first_tile + tile];
+  if ((marks & TILE_SEEN) == 0u && io.linked != 0u) marks |= linked_marks(tile, across.x * across.y);
   const uint blurred = io.lists - 1u;
   for (uint i = 0u; i < blurred; ++i)
     if ((marks & (TILE_SEEN | TILE_SOURCE)) != 0u && (marks & tile_material(i)) != 0u)
-      add_to(io.first_list + i, tile);
+      add_to(io.first_list + i, at);
 
   if ((marks & (TILE_SEEN | TILE_SOURCE | TILE_GUTTER)) == 0u) return;
-  add_to(io.first_list + blurred, tile);
+  add_to(io.first_list + blurred, at);
   atomicAdd(counters[io.slot], 1u);
 }

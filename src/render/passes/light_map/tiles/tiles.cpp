@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "frame/resources.h"
-#include "render/passes/asset/gutter_list.h"
 #include "render/passes/asset/posed.h"
 #include "render/passes/bindings.h"
 #include "render/passes/light_map/cull.h"
@@ -54,28 +53,6 @@ void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
   }
 }
 
-GutterTiles::Out GutterTiles::declare(frame::Declare& d) {
-  compute(d, "gutter_tiles.comp");
-  d.write(in.lists.marks);
-  return {};
-}
-
-void GutterTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-    const GpuMesh& mesh = instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
-    const auto found = mesh.gutters.find(square.side);
-    if (found == mesh.gutters.end() || found->second.count == 0) continue;
-
-    Bindings()
-        .add("Gutters", found->second.list)
-        .add("TileMarks", resources.buffer(in.lists.marks))
-        .bind(cmd, pipeline());
-    const io::GutterTilesIo io{
-        .count = found->second.count, .side = square.side, .first_tile = square.index * in.lists.room};
-    dispatch(cmd, io, gutter_invocations(io.count));
-  }
-}
-
 Tiles::Out Tiles::declare(frame::Declare& d) {
   compute(d, "tiles.comp");
   d.read(in.lists.marks);
@@ -104,22 +81,28 @@ void Tiles::clear(gpu::Cmd& cmd, const frame::Resources& resources,
 }
 
 void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  Bindings()
-      .add("TileMarks", resources.buffer(in.lists.marks))
-      .add("Tiles", resources.buffer(in.lists.tiles))
-      .add("TileCounts", resources.buffer(in.lists.counts))
-      .add("TileArguments", resources.buffer(in.lists.arguments))
-      .add("Counters", resources.buffer(in.counters))
-      .bind(cmd, pipeline());
+  const gpu::Buffer& marks = resources.buffer(in.lists.marks);
   const std::vector<UsedSquare> squares = used_squares(frame, settings.squares);
   for (const UsedSquare& square : squares) {
+    const auto& gutters = instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)].gutters;
+    const auto found = gutters.find(square.side);
+    const bool linked = found != gutters.end() && found->second.count > 0;
+    Bindings()
+        .add("TileMarks", marks)
+        .add("Tiles", resources.buffer(in.lists.tiles))
+        .add("TileCounts", resources.buffer(in.lists.counts))
+        .add("TileArguments", resources.buffer(in.lists.arguments))
+        .add("Counters", resources.buffer(in.counters))
+        .add("TileLinks", linked ? found->second.tile_links : marks)
+        .bind(cmd, pipeline());
     const io::TilesIo io{.side = square.side,
                          .first_tile = square.index * in.lists.room,
                          .first_list = square.index * in.lists.lists,
                          .lists = in.lists.lists,
                          .room = in.lists.room,
                          .slot = settings.first_slot + settings.slots_per_instance * square.instance +
-                                 settings.slots_per_mesh * mesh_in_asset(frame, square)};
+                                 settings.slots_per_mesh * mesh_in_asset(frame, square),
+                         .linked = linked ? 1u : 0u};
     dispatch(cmd, io, (io.side + TILE_WIDTH - 1) / TILE_WIDTH, (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
   }
   clear(cmd, resources, squares);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Finds the tiles of light maps that a frame lights and blurs: SeenTiles, then GutterTiles, then Tiles.
+/// Finds the tiles of light maps that a frame lights and blurs: SeenTiles, then Tiles.
 /// Based on: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 and 5; departures:
 ///   README.md
 #pragma once
@@ -31,22 +31,8 @@ class SeenTiles : public ComputePass {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 };
 
-/// Marks the tiles of gutters that continue seen tiles, and those that light gutters of seen tiles which have
-/// nothing of their own chart to repeat.
-class GutterTiles : public ComputePass {
- public:
-  struct Settings {
-    std::vector<MapSquare> squares;
-  } settings;
-  struct In {
-    TileLists lists;
-  } in;
-  struct Out {};
-  Out declare(frame::Declare& d);
-  void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
-};
-
-/// Makes the lists from the marks, and fills the maps with zeros: taps read tiles that nothing lights.
+/// Makes the lists from the marks, with the tiles that seen ones take beyond seams, and fills the maps with
+/// zeros: taps read tiles that nothing lights.
 class Tiles : public ComputePass {
  public:
   struct Settings {

@@ -13,17 +13,13 @@ struct SeenTilesIo {
   uint list;          // of the material, among those of the square
   float reach;        // texels beside the triangle that reads of its points touch
 };
-struct GutterTilesIo {
-  uint count;  // of the gutters
-  uint side;
-  uint first_tile;
-};
 struct TilesIo {
   uint side;
   uint first_tile;
   uint first_list, lists;  // of the square
   uint room;               // entries of a list
   uint slot;               // of the counters: tiles to blur
+  uint linked;             // 1: there are TileLinks
 };
 struct ClearTilesIo {
   uvec2 origin;  // of the square in the pool, texels

@@ -32,8 +32,9 @@ layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
 // without the map, unless the pixel averages as much. The change is slow enough not to show. uv_per_mm:
 // texture coordinates per mm, here.
 float map_share(float sigma_mm, float uv_per_mm) {
-  const float shown_mm = max(sigma_mm, io.shown_mm);
-  return mixed ? smoothstep(0.35, 0.7, shown_mm * uv_per_mm * float(io.map_side)) : 1.0;
+  const float texels = max(sigma_mm, io.shown_mm) * uv_per_mm * float(io.map_side);
+  if (!mixed) return 1.0;
+  return sigma_mm > 0.0 ? smoothstep(0.35, 0.7, texels) : smoothstep(0.28, 0.56, texels);
 }
 uvec2 map_origin() { return uvec2(io.map_origin & 0xFFFFu, io.map_origin >> 16); }
 

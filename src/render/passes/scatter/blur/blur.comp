@@ -36,9 +36,20 @@ float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
   return used;
 }
 
-void load_kernel(float sigma, bool averaged) {
-  load_kernel_row(clamp(sigma / KERNEL_MAX_SIGMA, 0.0, 1.0) * float(KERNEL_ROWS - 1),
-                  averaged ? KERNEL_ROWS : 0);
+// A Gaussian along an axis.
+struct Taps {
+  int step, reach;  // texels between taps; taps on either side
+};
+
+// Loads kernel_row. sigma: texels. Light that no blur has spread yet has edges between any two texels.
+Taps load_kernel(float sigma) {
+  const float most = io.texel_averaged != 0u ? KERNEL_MAX_SIGMA : SPACED_MAX_SIGMA;
+  const int step = max(1, int(ceil(sigma / most)));
+  const float spaced = min(sigma / float(step), KERNEL_MAX_SIGMA);
+  const int reach = clamp(int(ceil(3.0 * spaced)), 1, KERNEL_RADIUS);
+  const bool averaged = io.texel_averaged != 0u && step == 1;
+  load_kernel_row(spaced / KERNEL_MAX_SIGMA * float(KERNEL_ROWS - 1), averaged ? KERNEL_ROWS : 0, reach);
+  return Taps(step, reach);
 }
 
 // Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, nor
@@ -49,20 +60,19 @@ vec4 spread(ivec2 p, vec4 centre) {
   const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
   const float texels = float(io.side);
   const float sigma_mm = sqrt(io.variance_mm2);
-  const float sigma_u = sigma_mm * factor.x * texels;
-  const int step_u = max(1, int(ceil(sigma_u / KERNEL_MAX_SIGMA)));
-  const float slope = factor.x > 0.0 ? factor.y / factor.x * float(step_u) : 0.0;  // texels of v per step
-  load_kernel(sigma_u / float(step_u), io.texel_averaged != 0u && step_u == 1);
+  const Taps along_u = load_kernel(sigma_mm * factor.x * texels);
+  const float slope =
+      factor.x > 0.0 ? factor.y / factor.x * float(along_u.step) : 0.0;  // texels of v per step
 
   vec3 sum = vec3(0.0);
   float total = 0.0;
   if (io.axis == 0u) {
     total += gather(sum, centre, chart, kernel_row[0]);
-    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+    for (int k = 1; k <= along_u.reach; ++k) {
       const float shift = slope * float(k);
       const float whole = floor(shift);
       const float f = shift - whole;
-      const ivec2 d = ivec2(k * step_u, int(whole));
+      const ivec2 d = ivec2(k * along_u.step, int(whole));
 
       // The tap on the other side is at -shift: its two texels mirror these.
       total += gather(sum, light_at(p + d), chart, kernel_row[k] * (1.0 - f));
@@ -72,20 +82,19 @@ vec4 spread(ivec2 p, vec4 centre) {
     }
   } else {
     float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
-    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
+    for (int k = 1; k <= along_u.reach; ++k) {
       const float f = fract(slope * float(k));
       interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);
     }
 
     const float wanted = sigma_mm * factor.z * texels;
-    const float sigma_v = sqrt(max(wanted * wanted - interpolation, 0.0));
-    const int step_v = max(1, int(ceil(sigma_v / KERNEL_MAX_SIGMA)));
-    load_kernel(sigma_v / float(step_v), io.texel_averaged != 0u && step_v == 1);
+    const Taps along_v = load_kernel(sqrt(max(wanted * wanted - interpolation, 0.0)));
 
     total += gather(sum, centre, chart, kernel_row[0]);
-    for (int k = 1; k <= KERNEL_RADIUS; ++k) {
-      total += gather(sum, light_at(p + ivec2(0, k * step_v)), chart, kernel_row[k]);
-      total += gather(sum, light_at(p - ivec2(0, k * step_v)), chart, kernel_row[k]);
+    for (int k = 1; k <= along_v.reach; ++k) {
+      const ivec2 d = ivec2(0, k * along_v.step);
+      total += gather(sum, light_at(p + d), chart, kernel_row[k]);
+      total += gather(sum, light_at(p - d), chart, kernel_row[k]);
     }
   }
   return vec4(storable(sum / total), centre.a);

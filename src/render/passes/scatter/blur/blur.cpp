@@ -75,7 +75,8 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
 
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm) {
   std::vector<BlurStep> steps;
-  const double first_sigma = kernel_max_sigma / max_texels_per_mm;
+  const double first_sigma = kernel_max_sigma / max_texels_per_mm,
+               dense_sigma = spaced_max_sigma / max_texels_per_mm;
   double done_mm2 = 0;
 
   for (const double variance_mm2 : variances_mm2) {
@@ -83,7 +84,7 @@ std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, doubl
       // variance after the largest step from here
       const double reach = done_mm2 == 0 ? first_sigma * first_sigma : 4 * done_mm2;
       // Below the size of a texel one step suffices: with a tap spacing of one texel no light can be skipped.
-      const double dense_reach = done_mm2 + first_sigma * first_sigma;
+      const double dense_reach = done_mm2 + dense_sigma * dense_sigma;
       const double limit = std::max(reach, dense_reach);
       if (variance_mm2 <= limit * (1 + 1e-9)) break;
       steps.push_back({.variance_mm2 = limit - done_mm2, .ends_term = false});

@@ -39,7 +39,7 @@ struct Middle {
 
 // sigma: in units of the tap spacing.
 void load_kernel(float sigma) {
-  load_kernel_row(clamp(sigma * 3.0 / float(radius), 0.0, 1.0) * float(KERNEL_ROWS - 1), 0);
+  load_kernel_row(clamp(sigma * 3.0 / float(radius), 0.0, 1.0) * float(KERNEL_ROWS - 1), 0, radius);
 }
 
 // Returns the rows or columns between taps of a kernel so wide.
