@@ -7,6 +7,7 @@
 #include "api/scene_state.h"
 #include "base/core/error.h"
 #include "render/setup/camera_matrices.h"
+#include "render/setup/choose.h"
 #include "render/setup/frame_data.h"
 #include "render/techniques/lambert/lambert.h"
 #include "render/techniques/screen.h"
@@ -50,6 +51,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
               .subjects = next_scene.subjects(),
               .environment_lights = {},
               .host = host};
+  setup::take_profile(input.placed, settings);
   const std::shared_ptr<const setup::EnvironmentLight> next_environment =
       options_.picture ? renderer_->environment_light(scene, settings) : nullptr;
   if (next_environment)

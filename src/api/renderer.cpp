@@ -12,6 +12,7 @@
 #include "api/shader_scope.h"
 #include "base/settings/names.h"
 #include "dermis/vulkan.h"
+#include "render/setup/choose.h"
 #include "render/setup/frame_setup.h"
 #include "render/techniques/shaders.h"
 
@@ -138,8 +139,10 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
     spheres.push_back(found->second.bounds.sphere);
   }
 
-  const setup::FrameSetup setup = setup::set_up(api::placed_scene(scene, spheres), subjects, settings, {},
-                                                environment_lights, nullptr, false);
+  setup::PlacedScene placed = api::placed_scene(scene, spheres);
+  setup::take_profile(placed, settings);
+  const setup::FrameSetup setup =
+      setup::set_up(placed, subjects, settings, {}, environment_lights, nullptr, false);
   passes::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);

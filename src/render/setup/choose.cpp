@@ -79,6 +79,13 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
   return lights;
 }
 
+void take_profile(PlacedScene& scene, const RenderSettings& s) {
+  if (s.skin.profile.empty()) return;
+  const ScatterProfile profile =
+      gaussians::from_name_or_file(s.skin.profile, false, gaussians::LeastVariance::zero);
+  for (PlacedAsset& instance : scene.instances) instance.profile = profile;
+}
+
 ScatterProfile choose_profile(const scene::Material& material, const RenderSettings& s,
                               const std::optional<ScatterProfile>& of_instance,
                               gaussians::LeastVariance least) {

@@ -20,6 +20,10 @@ scene::Camera choose_camera(const PlacedScene& scene, const RenderSettings& sett
 std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSettings& settings,
                                         const HeadSpheres& spheres);
 
+/// Gives all instances the profile that the settings name, if they name one. Reads its file, which set_up()
+/// does not. Variances may be 0.
+void take_profile(PlacedScene& scene, const RenderSettings& settings);
+
 /// Returns the settings' profile, else the instance's, else the material's, else the published six Gaussians.
 /// `least`: of the settings' profile.
 ScatterProfile choose_profile(const scene::Material& material, const RenderSettings& settings,

@@ -18,11 +18,10 @@
 #include "render/setup/casters.h"
 #include "render/setup/choose.h"
 #include "render/setup/frame_camera.h"
+#include "render/setup/map_sides.h"
 #include "render/setup/models.h"
 #include "render/setup/pool.h"
 #include "render/shared/entries_io.h"
-#include "render/techniques/map_side.h"
-#include "render/techniques/mapped_terms.h"
 
 namespace dermis::setup {
 namespace {
@@ -177,87 +176,6 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
     const float mix = instance.mix.value_or(material.skin_settings.mix_or_default());
     return material.skin && s.skin.mix.value_or(double{mix}) == 0;
   });
-}
-
-// Sides of light maps that a head of the scene may have, large to small.
-std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, const RenderSettings& s) {
-  if (!plan.optimise.depth) return {plan.map_size};
-  if (plan.mixes()) return techniques::sides_by_need(plan.map_size);
-  const std::vector<int> sides = paper_sides(s);
-  return {sides.begin(), sides.end()};
-}
-
-// The metric changes slowly over the skin: its maps are as large whatever light maps are, so that these
-// change nothing for it.
-constexpr std::uint32_t most_stretch_side = 1024;
-
-// Returns pixels per mm at which no narrow term shows yet.
-double before_close_ups(const techniques::FrameSettings& plan, const techniques::Model& model) {
-  double most = std::numeric_limits<double>::infinity();
-  for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
-    for (const Gaussian& term : plan.skin[mesh].profile.terms) {
-      const double sigma_mm = std::sqrt(term.variance_mm2);
-      if (sigma_mm < plan.skin[mesh].wide_mm)
-        most = std::min(most, techniques::least_sigma_pixels(plan.skin[mesh], sigma_mm) / sigma_mm);
-    }
-  return most * (1 - 1e-6);
-}
-
-// T_max of a model is that of a near head, or of a close-up in this frame, and maps hold what shows there. So
-// a plan changes where a head comes closer than that, and not before; other models change nothing for it.
-void hold_what_shows(FrameSetup& setup, bool every_view) {
-  techniques::FrameSettings& plan = setup.plan;
-  const std::uint32_t limit = std::exchange(plan.map_size, 0);
-  plan.stretch_side = std::min(limit, most_stretch_side);
-
-  for (std::uint32_t number = 0; number < plan.models.size(); ++number) {
-    const techniques::Model& model = plan.models[number];
-    const std::span parts = std::span(plan.skin).subspan(model.first_mesh, model.meshes);
-    techniques::MapDetail finest{0, 0};
-    for (const techniques::SkinMesh& part : parts)
-      finest.side = std::max(finest.side, techniques::near_side(part, limit));
-    for (Head& head : setup.heads) {
-      if (head.model != number) continue;
-      if (!head.visible) {
-        head.detail.side = std::min(head.detail.side, finest.side);
-        continue;
-      }
-      finest.side = std::max(finest.side, head.detail.side);
-      finest.pixels_per_mm = std::max(finest.pixels_per_mm, head.detail.pixels_per_mm);
-    }
-
-    for (techniques::SkinMesh& part : parts) {
-      part.map_size = finest.side;
-      part.first_mapped = techniques::first_mapped(part, finest);
-      const auto is_coarse = [&](const Head& head) {
-        return head.model == number && head.visible && techniques::entered_share(part, head.detail) > 0;
-      };
-      part.reads_entered = part.first_mapped > 0 && part.mapped_count() < MOST_TERMS &&
-                           (every_view || std::ranges::any_of(setup.heads, is_coarse));
-    }
-    if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
-  }
-}
-
-// Decides how large light maps are: T_max, and T of each head.
-void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s,
-                      bool every_view) {
-  techniques::FrameSettings& plan = setup.plan;
-  plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
-  if (plan.skin.empty() || !setup.technique->has_light_maps) return;
-
-  for (Head& head : setup.heads) {
-    techniques::MapDetail& detail = head.detail;
-    const techniques::Model& model = plan.models[head.model];
-    // The plan of a host must serve every view: it has no close-ups.
-    if (plan.host) detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
-    detail.side = plan.map_size;
-    if (plan.mixes())
-      detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, plan.map_size);
-    else if (plan.optimise.depth && !subjects[head.instance]->skin.empty())
-      detail.side = static_cast<std::uint32_t>(paper_side(*subjects[head.instance], s, detail.pixels_per_mm));
-  }
-  if (plan.mixes()) hold_what_shows(setup, every_view);
 }
 
 // Returns the number of Gaussians of the profile of a part, that without width too.

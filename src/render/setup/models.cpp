@@ -12,9 +12,8 @@
 #include "base/core/error.h"
 #include "base/core/one_line.h"
 #include "render/passes/asset/gpu_asset.h"
-#include "render/setup/choose.h"
 #include "render/techniques/technique.h"
-#include "tissue/gaussians/json.h"
+#include "tissue/gaussians/known.h"
 
 namespace dermis::setup {
 namespace {
@@ -87,7 +86,8 @@ techniques::SkinMesh skin_part(const ModelKey& model, std::size_t number, const 
   part.draws = static_cast<std::uint32_t>(draws.size());
   part.parts = 0;
   for (const passes::GpuDraw& draw : draws) part.parts += draw.parts();
-  part.profile = model.profile ? *model.profile : choose_profile(subject.scene->materials[material], s);
+  const scene::SkinMaterial& of_material = subject.scene->materials[material].skin_settings;
+  part.profile = model.profile.value_or(of_material.profile.value_or(gaussians::skin_six()));
   choose_shape(part.profile, s);
   take_unscattered(part);
   part.mm_per_unit = subject.scene->mm_per_unit;
@@ -135,9 +135,6 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
   std::map<std::tuple<const Subject*, float, bool, std::size_t>,
            std::vector<std::pair<std::optional<ScatterProfile>, std::uint32_t>>>
       known;
-  std::optional<ScatterProfile> for_all;
-  if (!s.skin.profile.empty())
-    for_all = gaussians::from_name_or_file(s.skin.profile, false, gaussians::LeastVariance::zero);
   std::map<std::pair<const Subject*, std::optional<std::size_t>>, std::uint32_t> first_unwraps;
   std::uint32_t unwraps = 0;
 
@@ -145,7 +142,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
     const PlacedAsset& instance = scene.instances[head.instance];
     const ModelKey key{.subject = subjects[head.instance],
                        .scale = head.world_from_asset.scale,
-                       .profile = for_all ? for_all : instance.profile,
+                       .profile = instance.profile,
                        .posed = instance.posed ? std::optional(head.instance) : std::nullopt};
     auto& alike = known[{key.subject, key.scale, key.posed.has_value(), key.posed.value_or(0)}];
     const auto found = std::find_if(alike.begin(), alike.end(),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/setup/choose.h"
 #include "render/setup/frame_setup.h"
 
 namespace dermis::setup {
@@ -20,7 +21,9 @@ inline PlacedScene alone(const Subject& subject) {
 inline FrameSetup set_up_alone(const Subject& subject, const RenderSettings& settings,
                                const std::optional<std::vector<scene::Light>>& environment_lights = {},
                                const HostSetup* host = nullptr) {
-  return set_up(alone(subject), std::array{&subject}, settings, {}, environment_lights, host);
+  PlacedScene scene = alone(subject);
+  take_profile(scene, settings);
+  return set_up(scene, std::array{&subject}, settings, {}, environment_lights, host);
 }
 
 }  // namespace dermis::setup
