@@ -65,7 +65,7 @@ struct FrameReport {
   bool translucency = false, shape_aware = false;
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
-  std::uint64_t light_reads = 0;  ///< taps of convolutions over light maps; 0: not counted, or none
+  std::uint64_t light_reads = 0;  ///< taps over light maps at the mean density of unwraps; 0: not counted
 };
 
 /// A head that a frame draws.

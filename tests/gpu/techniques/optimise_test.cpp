@@ -157,10 +157,10 @@ TEST_F(OnTheScan, DepthTakesTheMapThatTheNearestPointNeeds) {
     const glm::dvec3 eye(scene::distance_camera(sphere, distance).world_from_camera[3]);
     const double d = glm::distance(eye, glm::clamp(eye, low, high)) / sphere.radius_m;
     // The narrowest of the two wide terms that spreads light over enough pixels takes 0.9 texels, or 0.7
-    // below three pixels.
+    // below 1.2 pixels.
     const double pixels_per_mm = st.d_ref / d * uv_per_mm * side;
     const auto texels_of = [&](double sigma_mm) {
-      return (sigma_mm * pixels_per_mm < 3 ? 0.7 : 0.9) / (sigma_mm * uv_per_mm);
+      return (sigma_mm * pixels_per_mm < 1.2 ? 0.7 : 0.9) / (sigma_mm * uv_per_mm);
     };
     const double needed = std::sqrt(1.99) * pixels_per_mm > 0.6    ? texels_of(std::sqrt(1.99))
                           : std::sqrt(7.41) * pixels_per_mm > 0.35 ? texels_of(std::sqrt(7.41))

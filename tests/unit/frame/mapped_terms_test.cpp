@@ -64,7 +64,7 @@ TEST(MapSide, FollowsThePixels) {
   for (double pixels_per_mm = 2; pixels_per_mm > 0.01; pixels_per_mm /= 1.1) {
     const std::uint32_t side = side_by_need(s, s.models[0], pixels_per_mm, s.map_size);
     const bool narrow = 1.411 * pixels_per_mm > 0.6, wide = 2.722 * pixels_per_mm > 0.35;
-    const bool coarse = 1.411 * pixels_per_mm < 3;
+    const bool coarse = 1.411 * pixels_per_mm < 1.2;
     EXPECT_EQ(side, narrow ? (coarse ? 384u : 512u) : wide ? 256u : 32u) << pixels_per_mm;
     EXPECT_LE(side, before);
     before = side;

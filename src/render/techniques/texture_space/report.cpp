@@ -2,6 +2,7 @@
 #include "render/techniques/texture_space/report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/passes/scatter/blur/blur.h"
 #include "render/passes/scatter/kernels.h"
@@ -17,16 +18,25 @@ namespace {
 struct Work {
   std::uint32_t terms = 0;         // Gaussians that are blurred
   std::uint32_t convolutions = 0;  // passes, both axes counted
+  std::uint32_t taps = 0;          // of these, where the unwrap has its mean density
 };
 
 // Follows the steps of add_convolution() for a head, and counts instead of adding passes.
-Work work_of(const FrameSettings& settings, const SkinMesh& part, const passes::MappedTerms& mapped) {
+Work work_of(const FrameSettings& settings, const SkinMesh& part, std::uint32_t side,
+             const passes::MappedTerms& mapped) {
   Work work;
   if (!mapped.any) return work;
+  const std::size_t direct = direct_steps(settings, part);
+  const double texels_per_mm = part.mean_uv_per_mm * side;
+  double total_mm2 = 0;
   std::size_t number = 0;
   for (const passes::BlurStep& step : passes::blur_steps(part.mapped(), settings.chain_texels_per_mm(part))) {
+    total_mm2 += step.variance_mm2;
+    const bool from_light = number < direct || number == mapped.first_step;
     if (number++ < mapped.first_step) continue;
     work.convolutions += 2;
+    const double sigma_mm = std::sqrt(from_light ? total_mm2 : step.variance_mm2);
+    work.taps += 2 * static_cast<std::uint32_t>(passes::blur_taps(sigma_mm * texels_per_mm, from_light));
     if (step.ends_term) ++work.terms;
   }
   return work;
@@ -56,7 +66,8 @@ class Figures {
   // Adds what skin mesh `i` of a head has taken.
   void add(const DrawnHead& head, std::uint32_t i) {
     const std::uint32_t mesh = settings_.models[head.model].first_mesh + i;
-    const Work work = work_of(settings_, settings_.skin[mesh], mapped_terms(settings_, mesh, head.detail));
+    const Work work = work_of(settings_, settings_.skin[mesh], head.detail.side,
+                              mapped_terms(settings_, mesh, head.detail));
     const auto counted = [&](SquareCounter which) -> std::uint64_t {
       return counters_[square_counter(settings_, head.head, i, which)];
     };
@@ -66,7 +77,7 @@ class Figures {
     irradiance_texels += counted(counter_lit_texels);
     convolved_texels += counted(counter_lit_texels) * work.terms;
     launched += counted(counter_lit_texels) + at_once * work.convolutions;
-    taps += at_once * work.convolutions * (2 * passes::kernel_radius + 1);
+    taps += at_once * work.taps;
   }
 
   const FrameSettings& settings_;

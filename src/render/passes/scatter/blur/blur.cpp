@@ -104,6 +104,12 @@ std::vector<BlurStep> blur_steps(std::span<const Gaussian> terms, double max_tex
   return blur_steps(variances, max_texels_per_mm);
 }
 
+int blur_taps(double sigma_texels, bool from_light) {
+  const double spacing =
+      std::max(std::ceil(sigma_texels / (from_light ? kernel_max_sigma : spaced_max_sigma)), 1.0);
+  return 2 * reach_of(sigma_texels / spacing) + 1;
+}
+
 int gutter_width(const ScatterProfile& profile, double max_texels_per_mm) {
   const double widest_mm = std::sqrt(profile.max_variance_mm2());
   const double reach = std::ceil(kernel_reach * widest_mm * max_texels_per_mm) + 2;

@@ -68,6 +68,9 @@ struct BlurStep {
 std::vector<BlurStep> blur_steps(const std::vector<double>& variances_mm2, double max_texels_per_mm);
 std::vector<BlurStep> blur_steps(std::span<const Gaussian> terms, double max_texels_per_mm);
 
+/// Returns the taps of a step along one axis. `from_light`: it takes the light before any blur.
+int blur_taps(double sigma_texels, bool from_light);
+
 inline constexpr int max_gutter_width = 96;  ///< texels
 
 /// Returns the texels beside a seam that a step may read, at most max_gutter_width: also one with which a
