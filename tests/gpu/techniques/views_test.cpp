@@ -217,7 +217,8 @@ TEST(MemoryOfHeads, FarHeadsShareWhatFewNearOnesTake) {
   ASSERT_LE(std::ranges::max(farther.used_size), 64);
   EXPECT_EQ(far.passes.size(), near.passes.size());
   EXPECT_EQ(farther.passes.size(), near.passes.size());
-  EXPECT_LT(farther.image_bytes, far.image_bytes);
+  EXPECT_LT(far.light_map_bytes, near.light_map_bytes);
+  EXPECT_LT(farther.light_map_bytes, far.light_map_bytes);
 }
 
 TEST(MemoryOfHeads, ABudgetSetsHowManyHeadsGoTogether) {
