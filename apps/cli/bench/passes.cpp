@@ -26,14 +26,14 @@ std::string common_name(std::string name) {
 // By how the name of a pass begins; the first that fits. The last four are names in older records.
 constexpr std::array<std::pair<std::string_view, std::size_t>, 37> beginnings{{
     {"shadow", 0},        {"entering", 0},        {"cull triangles", 1}, {"clear light", 1},
-    {"clear tiles", 1},   {"seen tiles", 1},      {"tiles", 1},          {"view", 6},
+    {"clear tiles", 1},   {"seen tiles", 1},      {"tiles", 1},          {"tone map", 6},
     {"texel map", 1},     {"irradiance", 1},      {"stretch", 1},        {"turn sky", 1},
     {"depth mask", 2},    {"add transmitted", 3}, {"blur", 3},           {"final", 4},
     {"ids", 4},           {"entries", 4},         {"entry list", 4},     {"part ranges", 4},
     {"clear parts", 4},   {"shade", 4},           {"clear skin", 4},     {"separable", 3},
     {"disc", 3},          {"add scattered", 4},   {"surfaces", 5},       {"blended surfaces", 5},
     {"blended cover", 5}, {"open share", 6},      {"background", 6},     {"resolve", 6},
-    {"bloom", 6},         {"tone map", 6},        {"halve", 3},          {"join", 3},
+    {"bloom", 6},         {"halve", 3},           {"join", 3},           {"view", 6},
     {"gutter tiles", 1},
 }};
 

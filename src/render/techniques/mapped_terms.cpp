@@ -19,7 +19,8 @@ constexpr double mapped_sigma_texels = 0.35;
 // Sigma, in pixels, by which a pixel averages light: as a map holds a term of some sigma, it holds light that
 // is not blurred where pixels are that coarse.
 constexpr double pixel_sigma = 0.5;
-// That sigma, in texels, from which pixels read such light.
+// That sigma, in texels, from which pixels may read such light: map_share() of skin_radiance.glsl says how
+// much.
 constexpr double entered_sigma_texels = 0.2;
 // The rest stays lit at the pixel, where rims that are lit from behind are dark as they should be. The mean
 // of both is nearer to the truth than either.

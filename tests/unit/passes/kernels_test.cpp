@@ -55,5 +55,24 @@ TEST(Kernels, TapsHoldTheVariance) {
   }
 }
 
+// Shaders mix two rows and read as many taps as their sigma has.
+TEST(Kernels, MixesOfRowsHoldTheVariance) {
+  const std::vector<float>& table = kernel_table();
+  for (double sigma = 0.3; sigma < kernel_max_sigma; sigma += 0.0007) {
+    const double row = sigma / kernel_max_sigma * (kernel_rows - 1);
+    const auto low = static_cast<std::size_t>(row);
+    const auto weight = [&](std::size_t k) {
+      return std::lerp(double{table[low * KERNEL_FLOATS + k]}, double{table[(low + 1) * KERNEL_FLOATS + k]},
+                       row - static_cast<double>(low));
+    };
+    double total = weight(0), squares = 0;
+    for (std::size_t k = 1; k <= static_cast<std::size_t>(reach_of(sigma)); ++k) {
+      total += 2 * weight(k);
+      squares += 2 * static_cast<double>(k * k) * weight(k);
+    }
+    ASSERT_NEAR(squares / total / (sigma * sigma), 1, 1e-3) << sigma;
+  }
+}
+
 }  // namespace
 }  // namespace dermis::passes

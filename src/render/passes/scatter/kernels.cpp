@@ -83,8 +83,9 @@ static std::vector<float> make_kernel_table() {
   static_assert(3 * kernel_max_sigma == kernel_radius);
   const auto sigma = [](int row) { return kernel_max_sigma * row / (kernel_rows - 1); };
   std::vector<float> table;
+  // Shaders read as many taps as the lower of two rows has.
   for (int row = 0; row < kernel_rows; ++row)
-    add_row(table, discrete_gaussian(sigma(row), reach_of(sigma(row))));
+    add_row(table, discrete_gaussian(sigma(row), reach_of(sigma(std::max(row - 1, 0)))));
   for (int row = 0; row < kernel_rows; ++row) add_row(table, texel_averaged_gaussian(sigma(row)));
   return table;
 }

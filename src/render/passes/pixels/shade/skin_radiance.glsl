@@ -29,8 +29,9 @@ layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
 
 // Returns the part of a term that is read from the map, 0..1. Texels spread light by half their side (box and
 // bilinear tent: a variance of a quarter). So a Gaussian of less than 0.35 texels is nearer to its own width
-// without the map, unless the pixel averages as much. The change is slow enough not to show. uv_per_mm:
-// texture coordinates per mm, here.
+// without the map, unless the pixel averages as much. The change is slow enough not to show. Light before any
+// blur (sigma_mm 0) counts a little earlier, which averages more of it; earlier yet, rims that are lit from
+// behind are too bright. uv_per_mm: texture coordinates per mm, here.
 float map_share(float sigma_mm, float uv_per_mm) {
   const float texels = max(sigma_mm, io.shown_mm) * uv_per_mm * float(io.map_side);
   if (!mixed) return 1.0;

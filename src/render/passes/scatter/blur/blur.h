@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Blurs the light stored on the skin by one Gaussian of the profile, one axis per pass.
-/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the previous one). Departures: kernels.h,
-///   blur.comp
+/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the previous one). Departures: the first may
+/// both
+///   be from the light; kernels.h, blur.comp
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,7 @@ class Blur : public ComputePass {
     std::vector<MapSquare> squares;
     double variance_mm2 = 0;      ///< of this step
     std::uint32_t axis = 0;       ///< 0, then 1
-    bool texel_averaged = false;  ///< the first step: its input is constant over each texel
+    bool texel_averaged = false;  ///< no blur has spread its input, which is constant over each texel
     /// Set: leaves out heads that enter the chain at a later step; those that enter here start from
     /// In::start, texel-averaged, by total_mm2. None: all heads blur by variance_mm2.
     std::optional<ChainStep> chain;
