@@ -78,9 +78,8 @@ struct Statistics {
   /// blur them; shader invocations of shading and convolution; reads of texels that were never lit.
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0, unshaded_reads = 0;
   std::uint64_t transmission_misses = 0;  ///< light through the body that was looked up where none was stored
-  /// Taps by which light is blurred: over light maps, what shader invocations read where an
-  /// unwrap has its mean density; in the picture, taps per
-  /// pixel of skin times skin_pixels. 0: nothing is blurred.
+  /// Taps by which light is blurred. Over light maps: those of shader invocations, where an unwrap has its
+  /// mean density. In the picture: taps per pixel of skin times skin_pixels. 0: nothing is blurred.
   std::uint64_t light_reads = 0;
 
   std::vector<int> used_size;  ///< T of each head in the row, texels; 0: skipped

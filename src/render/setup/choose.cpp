@@ -86,12 +86,17 @@ void take_profile(PlacedScene& scene, const RenderSettings& s) {
   for (PlacedAsset& instance : scene.instances) instance.profile = profile;
 }
 
+ScatterProfile choose_profile(const scene::Material& material,
+                              const std::optional<ScatterProfile>& of_instance) {
+  if (of_instance) return *of_instance;
+  return material.skin_settings.profile.value_or(gaussians::skin_six());
+}
+
 ScatterProfile choose_profile(const scene::Material& material, const RenderSettings& s,
                               const std::optional<ScatterProfile>& of_instance,
                               gaussians::LeastVariance least) {
   if (!s.skin.profile.empty()) return gaussians::from_name_or_file(s.skin.profile, false, least);
-  if (of_instance) return *of_instance;
-  return material.skin_settings.profile.value_or(gaussians::skin_six());
+  return choose_profile(material, of_instance);
 }
 
 }  // namespace dermis::setup

@@ -24,8 +24,11 @@ std::vector<scene::Light> choose_lights(const PlacedScene& scene, const RenderSe
 /// does not. Variances may be 0.
 void take_profile(PlacedScene& scene, const RenderSettings& settings);
 
-/// Returns the settings' profile, else the instance's, else the material's, else the published six Gaussians.
-/// `least`: of the settings' profile.
+/// Returns the instance's profile, else the material's, else the published six Gaussians.
+ScatterProfile choose_profile(const scene::Material& material,
+                              const std::optional<ScatterProfile>& of_instance);
+
+/// Returns the settings' profile, else as above. Reads its file. `least`: of the settings' profile.
 ScatterProfile choose_profile(const scene::Material& material, const RenderSettings& settings,
                               const std::optional<ScatterProfile>& of_instance = {},
                               gaussians::LeastVariance least = gaussians::LeastVariance::above_zero);

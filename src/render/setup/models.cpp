@@ -12,8 +12,8 @@
 #include "base/core/error.h"
 #include "base/core/one_line.h"
 #include "render/passes/asset/gpu_asset.h"
+#include "render/setup/choose.h"
 #include "render/techniques/technique.h"
-#include "tissue/gaussians/known.h"
 
 namespace dermis::setup {
 namespace {
@@ -86,8 +86,7 @@ techniques::SkinMesh skin_part(const ModelKey& model, std::size_t number, const 
   part.draws = static_cast<std::uint32_t>(draws.size());
   part.parts = 0;
   for (const passes::GpuDraw& draw : draws) part.parts += draw.parts();
-  const scene::SkinMaterial& of_material = subject.scene->materials[material].skin_settings;
-  part.profile = model.profile.value_or(of_material.profile.value_or(gaussians::skin_six()));
+  part.profile = choose_profile(subject.scene->materials[material], model.profile);
   choose_shape(part.profile, s);
   take_unscattered(part);
   part.mm_per_unit = subject.scene->mm_per_unit;

@@ -27,5 +27,14 @@ DERMIS_IO_BEGIN
 struct TileArgumentsIo {
   uint groups[3];  // VkDispatchIndirectCommand over the tiles of a list
 };
+
+// Returns the columns and rows of tiles of a map.
+#ifdef __cplusplus
+inline
+#endif
+    uvec2
+    tiles_across(uint side) {
+  return (uvec2(side) + uvec2(TILE_WIDTH, TILE_HEIGHT) - 1u) / uvec2(TILE_WIDTH, TILE_HEIGHT);
+}
 DERMIS_IO_END
 #endif

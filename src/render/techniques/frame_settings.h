@@ -28,6 +28,7 @@ struct SkinMesh {
   /// Light that leaves where it entered: the weight of a Gaussian of variance 0, which `profile` lacks. If
   /// all light does, `profile` has one Gaussian without weight.
   gaussians::Rgb unscattered{};
+
   /// Of maps by need, T_max of its heads: less than that of the plan where others need more; 0: that of the
   /// plan.
   std::uint32_t map_size = 0;
@@ -36,6 +37,7 @@ struct SkinMesh {
   /// Some head is so far away that pixels read the light before any blur in place of the terms before
   /// mapped(): entered_share() of mapped_terms.h.
   bool reads_entered = false;
+
   std::span<const Gaussian> mapped() const { return std::span(profile.terms).subspan(first_mapped); }
   std::uint32_t mapped_count() const {
     return static_cast<std::uint32_t>(profile.terms.size()) - first_mapped;
@@ -44,13 +46,15 @@ struct SkinMesh {
   std::vector<std::size_t> through_groups() const {
     return passes::mapped_groups(profile.terms.size(), first_mapped);
   }
+
   double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
   /// Number of the mesh whose unwrap this is: instances of an asset that differ in their profile share it.
   std::uint32_t unwrap = 0;
   std::uint32_t in_model = 0;  ///< number among the meshes of its model
   std::uint32_t triangles = 0, vertices = 0;
-  std::uint32_t draws = 1;     ///< runs of triangles of one material: passes::GpuMesh::draws
-  std::uint32_t parts = 1;     ///< of these, for ids: passes::GpuDraw::parts
+  std::uint32_t draws = 1;  ///< runs of triangles of one material: passes::GpuMesh::draws
+  std::uint32_t parts = 1;  ///< of these, for ids: passes::GpuDraw::parts
+
   double max_uv_per_mm = 1;    ///< in the densest direction; a twentieth of the skin has more
   double mean_uv_per_mm = 1;   ///< geometric mean of both directions
   double least_uv_per_mm = 1;  ///< a twentieth of the skin has fewer
@@ -58,6 +62,7 @@ struct SkinMesh {
   bool off_map = false;        ///< some of its triangles have no chart of the unwrap
   bool cut_out = false;        ///< some of its materials have an alpha test
   std::bitset<passes::SkinKind::count> kinds = 1;  ///< of its materials: passes::SkinLook
+
   /// Returns the texels per mm of maps of this side that a twentieth of the skin exceeds.
   double max_texels_per_mm(std::uint32_t side) const { return std::max(max_uv_per_mm * side, 1e-6); }
   bool posed = false;  ///< it takes poses: its metric changes from frame to frame

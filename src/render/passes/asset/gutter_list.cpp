@@ -165,14 +165,13 @@ std::vector<io::GutterIo> packed(const GutterList& list) {
 }
 
 std::vector<std::uint32_t> tile_links(const std::vector<io::GutterIo>& gutters, std::uint32_t side) {
-  const std::uint32_t across = (side + TILE_WIDTH - 1) / TILE_WIDTH,
-                      down = (side + TILE_HEIGHT - 1) / TILE_HEIGHT;
+  const glm::uvec2 across = io::tiles_across(side);
   const auto tile_at = [&](std::uint32_t x, std::uint32_t y) {
-    return y / TILE_HEIGHT * across + x / TILE_WIDTH;
+    return y / TILE_HEIGHT * across.x + x / TILE_WIDTH;
   };
   const auto tile_of = [&](std::uint32_t packed) { return tile_at(packed & 0xFFFFu, packed >> 16); };
 
-  // Of the tile that a link brings in, the seen tile, and the one that must not be seen.
+  // A link is the tile that it brings in, the seen tile, and the one that must not be seen.
   std::set<std::array<std::uint32_t, 3>> links;
   for (const io::GutterIo& g : gutters) {
     const std::uint32_t tile = tile_of(g.texel), own = tile_of(g.own),
@@ -186,7 +185,7 @@ std::vector<std::uint32_t> tile_links(const std::vector<io::GutterIo>& gutters, 
 
   std::vector<std::uint32_t> all;
   auto link = links.begin();
-  for (std::uint32_t tile = 0; tile <= across * down; ++tile) {
+  for (std::uint32_t tile = 0; tile <= across.x * across.y; ++tile) {
     while (link != links.end() && (*link)[0] < tile) ++link;
     all.push_back(static_cast<std::uint32_t>(std::distance(links.begin(), link)));
   }

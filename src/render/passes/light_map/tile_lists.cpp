@@ -13,8 +13,8 @@ std::uint32_t TileLists::of_material(const UsedSquare& square, std::size_t mater
 
 TileLists make_tile_lists(frame::FrameGraph& graph, std::uint32_t squares, std::uint32_t largest_side,
                           std::uint32_t materials) {
-  const std::uint32_t room =
-      ((largest_side + TILE_WIDTH - 1) / TILE_WIDTH) * ((largest_side + TILE_HEIGHT - 1) / TILE_HEIGHT);
+  const glm::uvec2 across = io::tiles_across(largest_side);
+  const std::uint32_t room = across.x * across.y;
   const std::uint32_t per_square = std::clamp<std::uint32_t>(materials, 1, MOST_TILE_LISTS) + 1;
   const std::uint64_t lists = std::uint64_t{squares} * per_square;
   return {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "render/passes/scatter/kernels.h"
 #include "render/passes/screen/screen_gaussian/screen_gaussian.h"
 #include "render/techniques/screen.h"
 #include "render/techniques/screen_space.h"

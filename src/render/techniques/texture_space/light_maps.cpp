@@ -35,10 +35,12 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
   for (const SkinMesh& part : settings.skin) {
     terms = std::max<std::size_t>(terms, part.mapped_count());
     groups = std::max(groups, part.through_groups().size());
-    scratch = std::max(scratch, direct_steps(settings, part));
-    chains = chains || direct_steps(settings, part) < part.mapped_count();
+    const std::size_t direct = direct_steps(settings, part);
+    scratch = std::max(scratch, direct);
+    chains = chains || direct < part.mapped_count();
   }
   for (std::size_t k = 0; k < scratch; ++k) scratch_.push_back(make_map(fmt::format("scratch {}", k)));
+  // Nothing reads the light after the last blur then: that ends in its map.
   const bool light_ends = !chains && !settings.irradiance && (!reads_entered || settings.translucency);
   for (std::size_t k = 0; k < terms; ++k)
     blurred_.push_back(light_ends && k + 1 == terms ? light_ : make_map(fmt::format("light {}", k)));

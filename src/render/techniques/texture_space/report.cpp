@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "render/passes/scatter/blur/blur.h"
-#include "render/passes/scatter/kernels.h"
 #include "render/shared/tiles_io.h"
 #include "render/techniques/mapped_terms.h"
 #include "render/techniques/texture_space/counters.h"

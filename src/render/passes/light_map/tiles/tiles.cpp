@@ -95,15 +95,15 @@ void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
         .add("Counters", resources.buffer(in.counters))
         .add("TileLinks", linked ? found->second.tile_links : marks)
         .bind(cmd, pipeline());
-    const io::TilesIo io{.side = square.side,
-                         .first_tile = square.index * in.lists.room,
-                         .first_list = square.index * in.lists.lists,
-                         .lists = in.lists.lists,
-                         .room = in.lists.room,
-                         .slot = settings.first_slot + settings.slots_per_instance * square.instance +
-                                 settings.slots_per_mesh * mesh_in_asset(frame, square),
-                         .linked = linked ? 1u : 0u};
-    dispatch(cmd, io, (io.side + TILE_WIDTH - 1) / TILE_WIDTH, (io.side + TILE_HEIGHT - 1) / TILE_HEIGHT);
+    const io::TilesIo square_io{.side = square.side,
+                                .first_tile = square.index * in.lists.room,
+                                .first_list = square.index * in.lists.lists,
+                                .lists = in.lists.lists,
+                                .room = in.lists.room,
+                                .slot = settings.first_slot + settings.slots_per_instance * square.instance +
+                                        settings.slots_per_mesh * mesh_in_asset(frame, square),
+                                .linked = linked ? 1u : 0u};
+    dispatch(cmd, square_io, io::tiles_across(square.side));
   }
   clear(cmd, resources, squares);
 }
