@@ -86,8 +86,12 @@ float shadow_texel_m(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
 }
 
-// Shadow bias: returns a point moved along its normal, to the rounded surface, or by an offset that grows
-// with the grazing angle up to `texels` if that is further. Plus one texel towards the light.
+// Shadow bias of what compares with the plane of the point, which a curved surface leaves: by half a texel, at
+// whatever size of the map. Less shows the facets of a mesh as shadows, more moves the edges of shadows.
+const float clear_of_plane = 0.5;
+
+// Returns a point moved along its normal, to the rounded surface, or by an offset that grows with the grazing
+// angle up to `texels` if that is further. Plus one texel towards the light.
 vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels) {
   const float cosine = dot(s.normal, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
   return s.shadow_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * texel_m;
@@ -101,13 +105,14 @@ struct MapLook {
   vec4 clip;     // of the point
   vec2 uv;       // its position in the map
   vec2 between;  // its position between the middle four texels, 0..1
+  vec2 slope;    // of the plane of the surface there: depth per texel
   vec4 z[4];     // depths of the 4 x 4 texels around: [x + 2 y] is a block of two by two, in the order of
                  // textureGather: (0,1) (1,1) (1,0) (0,0)
   float layer;
   bool inside;  // false: the point is outside the map, and z is not set
 };
 
-MapLook look_into_map(LightIo light, vec3 p) {
+MapLook look_into_map(LightIo light, vec3 p, vec3 normal, vec3 to_light) {
   MapLook m;
   const uint layer = shadow_layer_of(light, p);
   m.layer = float(layer);
@@ -119,21 +124,25 @@ MapLook look_into_map(LightIo light, vec3 p) {
 
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);
   m.between = m.uv * size - 0.5 - base;
+  m.slope = depth_slope(m.from_world, m.clip, normal, to_light) / size;
   for (int k = 0; k < 4; ++k)
     m.z[k] = textureGather(shadow_depths, vec3((base + 2.0 * vec2(k & 1, k >> 1)) / size, m.layer));
   return m;
 }
 
-// Returns the share of a tent over 3 x 3 bilinear comparisons that is not beyond the point, as weights of 4 x
-// 4 comparisons.
+// Returns the share of a tent over 3 x 3 bilinear comparisons where nothing is nearer to the light than the
+// plane of the surface, as weights of 4 x 4 comparisons. A plane never shadows itself, at any slope.
 float share_not_beyond(MapLook m) {
-  const vec2 f = m.between;
+  const vec2 f = m.between, s = m.slope;
+  const float first = m.clip.z / m.clip.w - dot(s, 1.0 + f);  // of the plane at the first texel
   const vec4 x = vec4(1.0 - f.x, 2.0 - f.x, 1.0 + f.x, f.x) * 0.25,
              y = vec4(1.0 - f.y, 2.0 - f.y, 1.0 + f.y, f.y) * 0.25;
   float sum = 0.0;
   for (int k = 0; k < 4; ++k) {
     const vec2 u = (k & 1) == 0 ? x.xy : x.zw, v = (k >> 1) == 0 ? y.xy : y.zw;
-    sum += dot(vec4(u.x * v.y, u.y * v.y, u.y * v.x, u.x * v.x), step(m.z[k], vec4(m.clip.z / m.clip.w)));
+    const float plane = first + 2.0 * dot(s, vec2(k & 1, k >> 1));
+    sum += dot(vec4(u.x * v.y, u.y * v.y, u.y * v.x, u.x * v.x),
+               step(m.z[k], max(plane + vec4(s.y, s.x + s.y, s.x, 0.0), 0.0)));
   }
   return sum;
 }
@@ -147,8 +156,7 @@ float share_lit(LightIo light, Arriving a, ShadingPoint s, MapLook m) {
   return lit;
 }
 
-// Moves the receiver along its geometric normal by the radius of the filter, so that a plane never shadows
-// itself, at any slope. Or it moves it to the rounded surface; and one texel towards the light.
+// Returns the share of the light that arrives at a surface, of which either side may face the light.
 float shadow_at(LightIo light, Arriving a, ShadingPoint s) {
   if (light.shadow_layers == 0u) return 1.0;
   ShadingPoint facing = s;
@@ -156,6 +164,7 @@ float shadow_at(LightIo light, Arriving a, ShadingPoint s) {
     facing.normal = -s.normal;
     facing.bulge_m = -s.bulge_m;
   }
-  const MapLook m = look_into_map(light, off_the_surface(facing, a, shadow_texel_m(light, a), 2.5));
+  const vec3 q = off_the_surface(facing, a, shadow_texel_m(light, a), clear_of_plane);
+  const MapLook m = look_into_map(light, q, facing.normal, a.to_light);
   return m.inside ? share_lit(light, a, s, m) : 1.0;
 }

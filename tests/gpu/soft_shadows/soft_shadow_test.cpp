@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Penumbrae of lights with a radius: an edge and a sphere in closed form, the scan against ground truth.
+// Shadows of points, and penumbrae of lights with a radius: a post, an edge and a sphere in closed form, the
+// scan against ground truth.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -133,6 +134,47 @@ TEST(SoftShadow, OfALightInsideTheScene) {
                 0.02 * 0.02 / d2 / pi)
         << radius;
   }
+}
+
+// Shadows of a low post begin at its foot and are as long as the light says, and the floor has none of its
+// own, however large the texels of the map are.
+TEST(HardShadow, OfAPostOnAFloor) {
+  constexpr float post_m = 0.01f;
+  for (const int side : {64, 128, 512, 2048})
+    for (const double elevation_deg : {20.0, 45.0, 75.0}) {
+      const double elevation = elevation_deg * pi / 180;
+      scene::AssetData made = two_planes(0.12, 2, [](scene::Vertex& v) {
+        v.position_m = {0, v.position_m.y, post_m * (v.position_m.x / 0.12f + 0.5f)};
+        v.normal = {-1, 0, 0};
+      });
+      made.lights = {directional({std::cos(elevation), 0, -std::sin(elevation)}, 0)};
+      made.cameras = {camera_from_above(0.004f, {0, 0, 0.3f})};
+      RenderSettings s = plain(480, 32);  // 0.25 mm per pixel along x, from -60 mm
+      s.quality.shadow_size = side;
+      const Picture picture = renderer().render(wrap(std::move(made)), s);
+
+      const double texel_m = 0.17 / side, reach_m = post_m / std::tan(elevation),
+                   filter_m = 2.5 * texel_m / std::sin(elevation);
+      double dark_m = 0.5e-3;
+      for (int x = 0; x < picture.width; ++x) {
+        const double x_m = (x + 0.5) * 0.25e-3 - 0.06;
+        if (std::abs(x_m) < 0.5e-3) continue;  // the post itself
+        const double lit = double{picture.linear_rgba[4 * static_cast<std::size_t>(x)]} / std::sin(elevation);
+        if (x_m > 0) dark_m += (1 - lit) * 0.25e-3;
+        if (x_m < -filter_m || x_m > reach_m + filter_m + texel_m) {
+          EXPECT_NEAR(lit, 1, 2e-3) << side << ' ' << elevation_deg << ' ' << x_m;
+        }
+        if (x_m > filter_m && x_m < reach_m - filter_m - texel_m) {
+          EXPECT_EQ(lit, 0) << side << ' ' << elevation_deg << ' ' << x_m;
+        }
+      }
+      std::printf("side %d, %.0f degrees: shadow of %.2f mm, wanted %.2f\n", side, elevation_deg,
+                  dark_m * 1000, reach_m * 1000);
+      // Half a texel above the floor, the shadow is shorter; at its foot the post is no nearer to the light
+      // than the bias.
+      EXPECT_NEAR(dark_m, reach_m, texel_m * (1 / std::tan(elevation) + 0.6) + 0.3e-3)
+          << side << ' ' << elevation_deg;
+    }
 }
 
 class SoftScan : public WithScan {

@@ -21,7 +21,7 @@ float edge_in_tent(float share) {
 // there is nearer to the light than the surface: than its tangent plane, or 60 degrees where that falls away
 // more steeply. rise: by how much skin beside the point may be nearer, of its distance, and still be a
 // hollow.
-float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m, float rise) {
+float disc_lit(MapLook m, MapRay ray, float radius_m, float texel_m, float rise) {
   const vec2 size = vec2(textureSize(shadow_depths, 0).xy), here = m.uv * size;
   const float depth = m.clip.z / m.clip.w, radius = min(radius_m / texel_m, 0.5 * size.x);
   float lit = 0.0;
@@ -30,7 +30,7 @@ float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m,
     const vec2 at = here + r * vec2(cos(angle), sin(angle)), base = floor(at - 0.5), f = at - 0.5 - base;
 
     const float off_m = r * texel_m;
-    const float plane_m = way_of(ray, max(depth + dot(slope, at - here), 0.0)),
+    const float plane_m = way_of(ray, max(depth + dot(m.slope, at - here), 0.0)),
                 free_m = max(plane_m, -1.7 * off_m) + 1.5 * texel_m + rise * off_m;
     const float free = (ray.clip.z + free_m * ray.zw.x) / (ray.clip.w + free_m * ray.zw.y);
 
@@ -48,8 +48,8 @@ float disc_lit(MapLook m, MapRay ray, vec2 slope, float radius_m, float texel_m,
 float lit_distance_m(LightIo light, Arriving a, ShadingPoint s, float radius_m, float through_m) {
   if (light.shadow_layers == 0u) return radius_m;
   const float texel_m = shadow_texel_m(light, a);
-  const vec3 q = off_the_surface(s, a, texel_m, 2.5) + a.to_light * through_m;
-  const MapLook m = look_into_map(light, q);
+  const vec3 q = off_the_surface(s, a, texel_m, clear_of_plane) + a.to_light * through_m;
+  const MapLook m = look_into_map(light, q, s.normal, a.to_light);
   if (!m.inside) return radius_m;
 
   // Beside the edge the few texels of the ordinary filter know better where it is than taps far apart. Their
@@ -59,11 +59,9 @@ float lit_distance_m(LightIo light, Arriving a, ShadingPoint s, float radius_m, 
   if (!lit && !dark) return edge_in_tent(sharp) * texel_m;
 
   const MapRay ray = MapRay(m.clip, (m.from_world * vec4(a.to_light, 0.0)).zw);
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy),
-             slope = depth_slope(m.from_world, m.clip, s.normal, a.to_light) / size;
   // Skin in shadow has an occluder, and may lie deep in a fold. Beside lit skin, rises of up to 45 degrees
   // are a hollow.
   const float rise = lit ? 1.0 : 0.1;
-  const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, slope, radius_m, texel_m, rise));
+  const float wide_m = radius_m * edge_in_disc(disc_lit(m, ray, radius_m, texel_m, rise));
   return lit ? max(wide_m, 2.0 * texel_m) : min(wide_m, -2.0 * texel_m);
 }
