@@ -235,6 +235,7 @@ void add_bench_command(CLI::App& app, int& exit_status) {
   auto a = std::make_shared<BenchArguments>();
   a->settings.output.width = 1920;
   a->settings.output.height = 1200;
+  a->settings.quality.shadow_size = 2048;
   a->settings.lighting.rig_lights = 2;
   a->settings.skin.profile = "skin";
   a->settings.skin.translucency = false;  // [JG08] sec. 7: their test has none

@@ -101,7 +101,7 @@ struct QualitySettings {
   /// takes as few as its wide Gaussians need (docs/techniques.md), whatever this is: 512 for a scan of a
   /// head.
   int map_size = 2048;
-  int shadow_size = 2048;  ///< texels
+  int shadow_size = 1024;  ///< at most, texels: far heads take less
   int samples = 4;         ///< anti-aliasing, 1 or 4 per pixel
   /// Points, 1 or 2, at which skin is lit and shaded in a pixel that one surface covers. Light has edges and
   /// glints finer than a pixel, which anti-aliasing of surfaces does not see.

@@ -179,7 +179,7 @@ struct MaterialImage {
 /// heads must be in it (record_depth()): their own shadows and the thickness of their ears come from its
 /// depth, and without them light passes through the body. Depth does not say which side of a surface the
 /// light meets: where the inside of an open mesh is lit, light may come through at its edges. Reads are
-/// offset along the normal, by texels of the map, so no depth bias of the host's is needed. On a head texels
+/// compared with the plane of the surface, so no depth bias of the host's is needed. On a head texels
 /// should not be much wider than 0.5 mm. Skin outside of the map is lit. Contents may change in every frame;
 /// view, extent and matrix by update(), at the cost of a pose.
 struct LightShadow {

@@ -24,7 +24,8 @@ bool may_change_unseen(const setup::Head& head, const SharedLook& look, const se
 
 bool ShadowVersions::are_equal(const Source& a, const Source& b) {
   return is_same(a.look, b.look) && is_same(a.posed, b.posed) && a.world_from_asset == b.world_from_asset &&
-         a.shadow_from_world == b.shadow_from_world && a.white_albedo == b.white_albedo;
+         a.shadow_from_world == b.shadow_from_world && a.shadow_side == b.shadow_side &&
+         a.white_albedo == b.white_albedo;
 }
 
 void ShadowVersions::fill(const setup::FrameSetup& setup, const SceneOnDevice& scene,
@@ -41,6 +42,7 @@ void ShadowVersions::fill(const setup::FrameSetup& setup, const SceneOnDevice& s
                .posed = placed.instances[head.instance].posed,
                .world_from_asset = data.instances[i].world_from_asset,
                .shadow_from_world = head.shadow_from_world,
+               .shadow_side = head.shadow_side,
                .white_albedo = setup.frame.white_albedo != 0};
     Source& before = heads_[static_cast<std::size_t>(head.number)];
     now.version = before.version != 0 && are_equal(before, now) ? before.version : ++last_;

@@ -30,6 +30,7 @@ class ShadowVersions {
     std::weak_ptr<const setup::PosedAsset> posed;
     glm::mat4x3 world_from_asset{1};
     std::vector<glm::mat4> shadow_from_world;
+    std::uint32_t shadow_side = 0;
     bool white_albedo = false;
     std::uint64_t version = 0;
   };

@@ -23,7 +23,7 @@ inline constexpr auto fields_of<QualitySettings> = std::tuple{
            .real_time = true}},
     Field{"shadow_size",
           &QualitySettings::shadow_size,
-          {.help = "side of a shadow map",
+          {.help = "side of a shadow map, at most",
            .unit = "texels",
            .least = 32,
            .most = 65536,

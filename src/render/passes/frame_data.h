@@ -83,6 +83,7 @@ struct Instance {
   std::uint32_t first_mesh = 0;              ///< of its skin, among the skin meshes of the plan
   std::uint32_t first_shadow_layer = 0;      ///< where this head's layers begin
   std::vector<glm::mat4> shadow_from_world;  ///< of this head's layers, for drawing them
+  std::uint32_t shadow_side = 0;             ///< of its maps, in the corner of their layers, texels
   /// Of what these layers show: the same number, the same depths and entering light. 0: may change unseen.
   std::uint64_t shadow_version = 0;
   /// Images of a host for these layers, null where dermis draws them; empty: it draws all.

@@ -113,6 +113,16 @@ double pixels_per_mm(const Subject& subject, const RenderSettings& s, const scen
   return reference_distance(subject, s, camera) / d * texels_per_mm(subject, s);
 }
 
+double pixels_across(const scene::BoundingSphere& casters, const RenderSettings& s,
+                     const scene::Camera& camera) {
+  const double pixels = s.output.height * density_across(s, camera), radius_m = casters.radius_m;
+  if (camera.orthographic) return pixels * radius_m / double{camera.ymag_m};
+  const double distance_m =
+      double{glm::distance(glm::vec3(camera.world_from_camera[3]), casters.centre_m)} - radius_m;
+  if (!(distance_m > 0)) return std::numeric_limits<double>::infinity();
+  return pixels * radius_m / (distance_m * std::tan(double{camera.fov_y_rad} / 2));
+}
+
 int paper_side(const Subject& subject, const RenderSettings& s, double pixels_per_mm) {
   const double density = texels_per_mm(subject, s),
                needed = density > 0 ? pixels_per_mm / density : 0;  // of T_max

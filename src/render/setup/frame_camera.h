@@ -29,6 +29,11 @@ double reference_distance(const Subject& subject, const RenderSettings& settings
 double pixels_per_mm(const Subject& subject, const RenderSettings& settings, const scene::Camera& camera,
                      const Similarity& world_from_asset, const PosedAsset* posed = nullptr);
 
+/// Returns the number of pixels across a sphere around all that casts shadows, where it is nearest; infinity
+/// if the eye is inside.
+double pixels_across(const scene::BoundingSphere& casters, const RenderSettings& settings,
+                     const scene::Camera& camera);
+
 /// Returns T of a head as [JG08] sec. 4 has it: min(d_ref / d, 1) T_max, where a texel is as large as a
 /// pixel, rounded up to 32 texels.
 int paper_side(const Subject& subject, const RenderSettings& settings, double pixels_per_mm);
@@ -40,8 +45,8 @@ std::vector<int> paper_sides(const RenderSettings& settings);
 bool in_view(const Subject& subject, const io::CameraIo& camera, const Similarity& world_from_asset,
              const PosedAsset* posed = nullptr);
 
-/// Returns pixels that hold all that a head may show, of a picture of `size` pixels: the corners of a body
-/// around it, or of a cube around its sphere, and two pixels more.
+/// Returns pixels that hold all that a head may show, of a picture of `size` pixels. They hold the corners of
+/// a body around it, or of a cube around its sphere, and two pixels more.
 passes::PixelArea area_of(const passes::ShadowBounds& bounds, const io::CameraIo& camera,
                           const glm::uvec2& size);
 

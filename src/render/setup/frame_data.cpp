@@ -43,6 +43,7 @@ void place(passes::Instance& instance, gpu::FrameMemory& memory, const Head& hea
   instance.drawn = head.drawn;
   instance.first_shadow_layer = head.first_shadow_layer;
   instance.shadow_from_world = head.shadow_from_world;
+  instance.shadow_side = head.shadow_side;
   instance.host_shadows = head.host_shadows;
 }
 

@@ -22,6 +22,7 @@
 #include "render/setup/models.h"
 #include "render/setup/pool.h"
 #include "render/shared/entries_io.h"
+#include "render/techniques/map_side.h"
 
 namespace dermis::setup {
 namespace {
@@ -64,7 +65,17 @@ bool is_deformed(const HostSetup* host, const Head& head) {
          std::find(host->deformed.begin(), host->deformed.end(), head.instance) != host->deformed.end();
 }
 
-/// Returns the instances, or the row of camera.heads of a single one.
+// Returns the side of the shadow maps of a head. Finer ones are not seen: at these the error against ground
+// truth no longer falls (docs/notes/techniques.md). A layer that is shown is drawn whole.
+std::uint32_t shadow_side(const passes::ShadowBounds& bounds, const RenderSettings& s,
+                          const scene::Camera& camera) {
+  constexpr double texels_per_pixel = 3;
+  const auto most = static_cast<std::uint32_t>(s.quality.shadow_size);
+  if (s.output.show.starts_with("shadow")) return most;
+  return techniques::side_of(texels_per_pixel * pixels_across(bounds.sphere, s, camera), most);
+}
+
+// Returns the instances, or the row of camera.heads of a single one.
 std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
   std::vector<Head> heads;
   const auto add = [&](const Similarity& world_from_asset, std::size_t instance) -> Head& {
@@ -72,7 +83,8 @@ std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s
                                    .instance = instance,
                                    .world_from_asset = world_from_asset,
                                    .lights = {},
-                                   .shadow_from_world = {}});
+                                   .shadow_from_world = {},
+                                   .shadow_side = 0});
   };
   if (s.camera.heads == 1) {
     for (const PlacedAsset& instance : scene.instances) add(instance.world_from_asset, heads.size());
@@ -100,18 +112,21 @@ void set_up_heads(std::vector<Head>& heads, const PlacedScene& scene,
     const PosedAsset* posed = scene.instances[head.instance].posed.get();
     head.middle_m = head.world_from_asset.position((posed ? posed->skin : subject.bounds).sphere.centre_m);
     const Casters casters(subject, posed, head.world_from_asset, is_deformed(host, head));
+    head.shadow_side = shadow_side(casters.bounds(), s, camera);
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
       const passes::ShadowFit fit =
           of_host
               ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
-              : passes::fit_shadow(lights[i], casters.bounds(), s.quality.shadow_size);
+              : passes::fit_shadow(lights[i], casters.bounds(), static_cast<int>(head.shadow_side));
       if (of_host) {
         head.host_shadows.resize(head.shadow_from_world.size());
         head.host_shadows.push_back({of_host->depth, of_host->reversed});
       }
       head.lights.push_back(light_io(lights[i], fit, head.shadow_from_world.size()));
+      head.lights.back().shadow_side =
+          of_host ? static_cast<float>(s.quality.shadow_size) : static_cast<float>(head.shadow_side);
       head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
                                     fit.shadow_from_world.end());
     }
@@ -231,10 +246,12 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
   plan.height = static_cast<std::uint32_t>(s.output.height);
   plan.samples = static_cast<std::uint32_t>(s.quality.samples);
   plan.light_samples = static_cast<std::uint32_t>(s.quality.light_samples);
-  plan.shadow_size = static_cast<std::uint32_t>(s.quality.shadow_size);
-  for (const Head& head : setup.heads)
+  plan.shadow_size = every_view ? static_cast<std::uint32_t>(s.quality.shadow_size) : 1;
+  for (const Head& head : setup.heads) {
+    if (head.visible) plan.shadow_size = std::max(plan.shadow_size, head.shadow_side);
     plan.shadow_layers =
         std::max(plan.shadow_layers, static_cast<std::uint32_t>(head.shadow_from_world.size()));
+  }
   plan.bloom = static_cast<float>(s.output.bloom);
   plan.tone_map = s.output.tone_map;
   plan.behind = background_of(s.output.background);

@@ -30,6 +30,7 @@ struct Head {
   std::vector<io::LightIo> lights;
   std::uint32_t first_shadow_layer = 0;
   std::vector<glm::mat4> shadow_from_world;
+  std::uint32_t shadow_side = 0;                    ///< of its own shadow maps, texels
   std::vector<passes::HostShadowMap> host_shadows;  ///< one per layer; empty: there are none
   techniques::MapDetail detail;                     ///< T, and pixels per mm
   bool visible = true;

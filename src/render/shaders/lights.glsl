@@ -23,6 +23,7 @@ LightIo light_at(uint number) {
   light.shadow_layers = d.z;
   light.shadow_texel = uintBitsToFloat(d.w);
   light.radius = uintBitsToFloat(e.x);
+  light.shadow_side = uintBitsToFloat(e.y);
   return light;
 }
 
@@ -86,15 +87,25 @@ float shadow_texel_m(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
 }
 
-// Shadow bias of what compares with the plane of the point, which a curved surface leaves: by half a texel, at
-// whatever size of the map. Less shows the facets of a mesh as shadows, more moves the edges of shadows.
-const float clear_of_plane = 0.5;
+// Shadow bias of what compares with the plane of a point, which hollows and facets rise above. In texels of
+// the map, along the normal and towards the light. The first moves the edges of shadows. The second lets
+// light come through only where something touches the surface.
+const vec2 off_the_plane = vec2(0.25, 2.0);
 
 // Returns a point moved along its normal, to the rounded surface, or by an offset that grows with the grazing
-// angle up to `texels` if that is further. Plus one texel towards the light.
-vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels) {
+// angle up to `texels.x` if that is further. Plus `texels.y` towards the light.
+vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, vec2 texels) {
   const float cosine = dot(s.normal, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  return s.shadow_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * texel_m;
+  return s.shadow_m + s.normal * max(texels.x * texel_m * sine, s.bulge_m) +
+         a.to_light * (texels.y * texel_m);
+}
+
+// A light's map lies in the corner of its layers, as large as its head needs. Positions are in texels.
+vec4 shadow_depths_around(vec2 corner, float layer) {
+  return textureGather(shadow_depths, vec3(corner / vec2(textureSize(shadow_depths, 0).xy), layer));
+}
+float shadow_depth_at(vec2 texel, float layer) {
+  return textureLod(shadow_depths, vec3(texel / vec2(textureSize(shadow_depths, 0).xy), layer), 0.0).x;
 }
 
 #include "render/shaders/soft_shadow.glsl"
@@ -103,13 +114,14 @@ vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels) {
 struct MapLook {
   mat4 from_world;
   vec4 clip;     // of the point
-  vec2 uv;       // its position in the map
+  vec2 here;     // its position in the map
+  float side;    // of the map
   vec2 between;  // its position between the middle four texels, 0..1
   vec2 slope;    // of the plane of the surface there: depth per texel
   vec4 z[4];     // depths of the 4 x 4 texels around: [x + 2 y] is a block of two by two, in the order of
                  // textureGather: (0,1) (1,1) (1,0) (0,0)
   float layer;
-  bool inside;  // false: the point is outside the map, and z is not set
+  bool inside;  // false: the point is outside the map, or at its border, and z is not set
 };
 
 MapLook look_into_map(LightIo light, vec3 p, vec3 normal, vec3 to_light) {
@@ -118,15 +130,16 @@ MapLook look_into_map(LightIo light, vec3 p, vec3 normal, vec3 to_light) {
   m.layer = float(layer);
   m.from_world = shadow_matrix(layer);
   m.clip = m.from_world * vec4(p, 1.0);
-  m.uv = m.clip.xy / m.clip.w * 0.5 + 0.5;
-  m.inside = m.clip.w > 0.0 && all(greaterThanEqual(m.uv, vec2(0.0))) && all(lessThanEqual(m.uv, vec2(1.0)));
+  m.side = light.shadow_side;
+  m.here = (m.clip.xy / m.clip.w * 0.5 + 0.5) * m.side;
+  m.inside = m.clip.w > 0.0 && all(greaterThanEqual(m.here, vec2(2.0))) &&
+             all(lessThanEqual(m.here, vec2(m.side - 2.0)));
   if (!m.inside) return m;
 
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);
-  m.between = m.uv * size - 0.5 - base;
-  m.slope = depth_slope(m.from_world, m.clip, normal, to_light) / size;
-  for (int k = 0; k < 4; ++k)
-    m.z[k] = textureGather(shadow_depths, vec3((base + 2.0 * vec2(k & 1, k >> 1)) / size, m.layer));
+  const vec2 base = floor(m.here - 0.5);
+  m.between = m.here - 0.5 - base;
+  m.slope = depth_slope(m.from_world, m.clip, normal, to_light) / m.side;
+  for (int k = 0; k < 4; ++k) m.z[k] = shadow_depths_around(base + 2.0 * vec2(k & 1, k >> 1), m.layer);
   return m;
 }
 
@@ -164,7 +177,7 @@ float shadow_at(LightIo light, Arriving a, ShadingPoint s) {
     facing.normal = -s.normal;
     facing.bulge_m = -s.bulge_m;
   }
-  const vec3 q = off_the_surface(facing, a, shadow_texel_m(light, a), clear_of_plane);
+  const vec3 q = off_the_surface(facing, a, shadow_texel_m(light, a), off_the_plane);
   const MapLook m = look_into_map(light, q, facing.normal, a.to_light);
   return m.inside ? share_lit(light, a, s, m) : 1.0;
 }

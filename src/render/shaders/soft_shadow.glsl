@@ -74,21 +74,21 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, ShadingPoint s, fl
               sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
 
   // Starts clear of the surface, which is not exactly the plane of its normal.
-  const vec4 clip = from_world * vec4(off_the_surface(s, a, texel_m, 1.5), 1.0);
+  const vec4 clip = from_world * vec4(off_the_surface(s, a, texel_m, vec2(1.5, 1.0)), 1.0);
   if (clip.w <= 0.0) return hard;
 
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), uv = clip.xy / clip.w * 0.5 + 0.5;
+  const float side = light.shadow_side;
   const MapRay ray = MapRay(clip, (from_world * vec4(a.to_light, 0.0)).zw);
-  const vec2 slope = depth_slope(from_world, clip, s.normal, a.to_light) / size;  // per texel
+  const vec2 slope = depth_slope(from_world, clip, s.normal, a.to_light) / side;  // per texel
   const float depth = clip.z / clip.w, steepness = length(slope);
   const float horizon = tangent * sine / max(steepness, 1e-15);
 
-  const vec2 here = uv * size;
+  const vec2 here = (clip.xy / clip.w * 0.5 + 0.5) * side;
   const vec2 noise =
       fract(52.9829189 * fract(floor(here) * mat2(0.06711056, 0.00583715, 0.00583715, 0.07711056)));
   // The penumbra of the nearest possible occluder, at most half the map: maps of lights inside the scene
   // begin close to them.
-  const float reach = clamp(penumbra_texels(light, a, way_of(ray, 1.0)), 0.0, 0.5 * size.x);
+  const float reach = clamp(penumbra_texels(light, a, way_of(ray, 1.0)), 0.0, 0.5 * side);
 
   float whole = 0.0, lit = 0.0, widest = 0.0;
   for (int i = 0; i < soft_directions; ++i) {
@@ -104,10 +104,10 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, ShadingPoint s, fl
       const float t = (float(k) + jitter) / float(soft_steps), t_next = t + 1.0 / float(soft_steps),
                   next = reach * t_next * t_next * t_next;
       const vec2 at = floor(here + direction * (0.5 * (r + next))) + 0.5;
-      const float way_m = way_of(ray, textureLod(shadow_depths, vec3(at / size, layer), 0.0).x);
+      const float way_m = way_of(ray, shadow_depth_at(at, layer));
       const float plane_m = max(way_of(ray, max(depth + dot(slope, at - here), 0.0)), 0.0);
       const bool known = all(greaterThan(at, vec2(0.0))) &&
-                         all(lessThan(at, size));  // six maps around a light end at their borders
+                         all(lessThan(at, vec2(side)));  // six maps around a light end at their borders
       if (known && way_m > plane_m + texel_m * (0.3 + 0.02 * next)) {
         // An occluding plate from r to next.
         const float penumbra = max(penumbra_texels(light, a, way_m), 1.5);

@@ -40,7 +40,7 @@ struct FirstSurfaces {
 // lets none in. Its depth, often that of the very point that is lit, must not be mixed with others. Nothing
 // is read where the surface faces the light, as in look_beside().
 FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
-  const vec2 f = m.between, size = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.uv * size - 0.5);
+  const vec2 f = m.between, layer_side = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.here - 0.5);
   FirstSurfaces s;
   s.depth = vec4(m.z[0].y, m.z[1].x, m.z[2].z, m.z[3].w);
   s.share = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
@@ -51,7 +51,7 @@ FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
   const float surface = dot(s.share, vec4(1.0));
   const int texels = faces || !entering_stored ? 0 : 4;
   for (int k = 0; k < texels; ++k) {
-    const vec2 uv = (base + vec2(k & 1, k >> 1) + 0.5) / size;
+    const vec2 uv = (base + vec2(k & 1, k >> 1) + 0.5) / layer_side;
     const vec4 stored = textureLod(entering_maps, vec3(uv, m.layer), 0.0);
     const vec3 root = stored.rgb / max(stored.a, 1e-3);
     s.shaded = s.shaded && (stored.a > 0.0 || s.depth[k] == 0.0);
@@ -68,12 +68,12 @@ FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
 // a plane under projection, so differences of depth between neighbouring texels give it.
 void find_lit_point(inout LightRead r, MapLook m, FirstSurfaces s, MapRay ray, vec3 to_light,
                     vec3 n_geometric) {
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), f = m.between;
+  const vec2 f = m.between;
   const float share = dot(s.share, vec4(1.0));
   const float depth = dot(s.share, s.depth) / max(share, 1e-6);
   const vec2 slope = vec2(mix(s.depth.y - s.depth.x, s.depth.w - s.depth.z, f.y),
                           mix(s.depth.z - s.depth.x, s.depth.w - s.depth.y, f.x)) *
-                     size * 0.5;
+                     m.side * 0.5;
   const vec3 plane = (vec4(slope, -1.0, depth - dot(slope, ray.clip.xy / ray.clip.w)) * m.from_world)
                          .xyz;  // its normal, either way
   const float along = dot(plane, to_light);
@@ -84,13 +84,14 @@ void find_lit_point(inout LightRead r, MapLook m, FirstSurfaces s, MapRay ray, v
 }
 
 // Returns the distance along a ray beside that of the light, in texels. Where there is no surface, or its
-// back, no light enters.
+// back, or outside the map, no light enters.
 float way_beside(MapRay ray, MapLook m, vec2 side) {
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy);
-  const vec3 texel = vec3((floor(m.uv * size + side) + 0.5) / size, m.layer);
-  const float depth = textureLod(shadow_depths, texel, 0.0).x;
-  const bool enters = !entering_stored || textureLod(entering_maps, texel, 0.0).r > 0.0;
-  return depth > 0.0 && enters ? way_of(ray, depth) : 1e3;
+  const vec2 at = floor(m.here + side) + 0.5, layer_side = vec2(textureSize(shadow_depths, 0).xy);
+  const bool known = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(m.side)));
+  const float depth = shadow_depth_at(at, m.layer);
+  const bool enters =
+      !entering_stored || textureLod(entering_maps, vec3(at / layer_side, m.layer), 0.0).r > 0.0;
+  return known && depth > 0.0 && enters ? way_of(ray, depth) : 1e3;
 }
 
 // Finds the distances along four rays of each of both terms, `near` and `wide` and their quarter turns away,
@@ -113,7 +114,7 @@ LightRead read_light(LightIo light, Arriving a, ShadingPoint s, float cosine_her
   // Moved as in shadow_at() where the surface faces the light; distances behind are measured from the point
   // itself.
   const float texel_m = shadow_texel_m(light, a);
-  const vec3 q = cosine_here > 0.0 ? off_the_surface(s, a, texel_m, clear_of_plane) : s.shadow_m;
+  const vec3 q = cosine_here > 0.0 ? off_the_surface(s, a, texel_m, off_the_plane) : s.shadow_m;
   const MapLook m = look_into_map(light, q, s.normal, a.to_light);
   r.inside = m.inside;
   if (!m.inside) return r;

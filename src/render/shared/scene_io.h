@@ -88,7 +88,8 @@ struct LightIo {
   uint shadow_layers;  // 0 = casts none, 1, or 6 for a point light inside the scene
   float shadow_texel;  // side of a shadow texel: m (directional) or m per m of distance
   float radius;        // of the light: m; directional: tangent of its angular radius
-  vec3 unused;         // whole texels
+  float shadow_side;   // of the map, in the corner of its layer, texels
+  vec2 unused;         // whole texels
 };
 
 // Where the lights of a head lie among the texels of Lamps, 16 bytes each. They are LightIo[], and mat4[] for

@@ -116,7 +116,7 @@ struct FrameSettings {
   std::uint32_t light_samples = 2;           ///< of a pixel that one surface covers, 1 or 2
   std::uint32_t map_size = 2048;             ///< T_max, texels per side
   std::uint32_t stretch_side = 0;            ///< of the maps of the metric, texels; 0: T_max
-  std::uint32_t shadow_size = 2048;          ///< texels per side
+  std::uint32_t shadow_size = 1024;          ///< texels per side
   std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
 
   /// The model of each head, in the order in which they are drawn.

@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::uint32_t least_side = 32;
 
-std::uint32_t side_of(double texels, std::uint32_t most) {
-  const std::vector<std::uint32_t> sides = sides_by_need(most);
-  const auto smaller =
-      std::ranges::find_if(sides, [&](std::uint32_t side) { return static_cast<double>(side) < texels; });
-  return smaller == sides.begin() ? sides.front() : *(smaller - 1);
-}
-
 // Returns the texels of a side on which the narrowest term is held for which `wanted`, at these pixels per
 // mm; 0: there is none.
 template <class Wanted>
@@ -42,6 +35,13 @@ std::vector<std::uint32_t> sides_by_need(std::uint32_t most) {
     for (const std::uint32_t side : {power + power / 2, power})
       if (side < sides.back()) sides.push_back(side);
   return sides;
+}
+
+std::uint32_t side_of(double texels, std::uint32_t most) {
+  const std::vector<std::uint32_t> sides = sides_by_need(most);
+  const auto smaller =
+      std::ranges::find_if(sides, [&](std::uint32_t side) { return static_cast<double>(side) < texels; });
+  return smaller == sides.begin() ? sides.front() : *(smaller - 1);
 }
 
 std::uint32_t near_side(const SkinMesh& part, std::uint32_t most) {

@@ -13,6 +13,9 @@ namespace dermis::techniques {
 /// (which may be another) down to 32.
 std::vector<std::uint32_t> sides_by_need(std::uint32_t most);
 
+/// Returns the smallest of those that has as many texels; `most`, if none has.
+std::uint32_t side_of(double texels, std::uint32_t most);
+
 /// Returns the side of maps that hold the wide terms of a skin mesh, at most `most`. Light spreads over these
 /// further than 1 mm, or further than half as far as over the widest; what narrower terms spread shows in
 /// close-ups alone.

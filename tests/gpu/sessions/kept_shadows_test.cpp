@@ -36,10 +36,10 @@ SceneLight sun(double x, double z, double red = 1) {
   return {.light = {.colour = {red, 0.9, 0.8}, .direction = {x, -0.3, z}}};
 }
 
-// Light maps are half as large as shadow maps, so that light that enters the skin has maps of its own.
+// Shadow maps are smaller than any of these views needs, so that their sides are those of the settings.
 RenderSettings settings_of(bool keep) {
   RenderSettings s = small_settings("texture-space", 48, 128);
-  s.quality.shadow_size = 256;
+  s.quality.shadow_size = 64;
   s.quality.keep_shadows = keep;
   s.camera.eye_m = {0.1, 0.05, 0.9};
   s.camera.target_m = {0.1, 0, 0};
@@ -150,6 +150,17 @@ TEST(KeptShadows, AreThoseOfFramesThatDrawAll) {
   scene.add_light(sun(0.1, -0.9));
   expect_drawn("a second light", 2 * 2 * head);
   expect_drawn("nothing", 0);
+}
+
+TEST(KeptShadows, AreDrawnAnewWhereTheirHeadNeedsOthers) {
+  Both both;
+  both.scene.add({.asset = shaded_skin(0.03f)});
+  both.scene.add_light(sun(0.4, -0.7));
+  both.set([](RenderSettings& s) { s.quality.shadow_size = 256; });
+  EXPECT_EQ(both.draw(), 1u);
+  both.set([](RenderSettings& s) { s.camera.eye_m = {0.1, 0.05, 1.8}; });
+  EXPECT_EQ(both.draw(), 1u);
+  EXPECT_EQ(both.draw(), 0u);
 }
 
 // Lit and blurred one after the other, each head has maps of its own all the same.

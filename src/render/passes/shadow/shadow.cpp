@@ -101,16 +101,17 @@ void Shadow::draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const 
   std::vector<gpu::ColourTarget> colour;
   if (in.entering.valid())
     colour.push_back({.texture = &resources.texture(in.entering), .layer = target, .clear = no_light});
-  cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
-                      {shadow.desc().width, shadow.desc().height}, true);
-
   const bool of_host =
       settings.host_maps && layer < instance.host_shadows.size() && instance.host_shadows[layer].depth;
+  const std::uint32_t side = of_host ? shadow.desc().width : instance.shadow_side;
+  cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
+                      {side, side}, true);
+
   if (of_host) {
     take_host_map(cmd, instance.host_shadows[layer], shadow);
   } else if (layer < instance.shadow_from_world.size()) {
     const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
-                          .grow = 2.0f / static_cast<float>(shadow.desc().width),
+                          .grow = 2.0f / static_cast<float>(side),
                           .is_turned = glm::determinant(instance.shadow_from_world[layer]) < 0 ? 1u : 0u};
     for (const bool cut_out : {false, true}) draw_skin(cmd, frame, instance, cut_out, io);
     for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, instance, cut_out, io);

@@ -26,7 +26,8 @@ class Shadow {
     bool host_maps = false;  ///< some layers come from a host: Instance::host_shadows
   } settings;
   struct In {
-    frame::TextureId shadow;  ///< D32, square; layers of a head begin at Instance::first_shadow_layer
+    /// D32, square; layers of a head begin at Instance::first_shadow_layer, and its maps lie in their corner.
+    frame::TextureId shadow;
     /// entering_format or facing_format, the same size and layers: square root of the part that enters
     /// (albedo^mix of the front of skin, 0 elsewhere), alpha 1 where there is something.
     frame::TextureId entering = {};  ///< not valid: not stored

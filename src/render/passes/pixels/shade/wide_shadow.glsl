@@ -22,21 +22,20 @@ float edge_in_tent(float share) {
 // more steeply. rise: by how much skin beside the point may be nearer, of its distance, and still be a
 // hollow.
 float disc_lit(MapLook m, MapRay ray, float radius_m, float texel_m, float rise) {
-  const vec2 size = vec2(textureSize(shadow_depths, 0).xy), here = m.uv * size;
-  const float depth = m.clip.z / m.clip.w, radius = min(radius_m / texel_m, 0.5 * size.x);
+  const float depth = m.clip.z / m.clip.w, radius = min(radius_m / texel_m, 0.5 * m.side);
   float lit = 0.0;
   for (int i = 0; i < shadow_taps; ++i) {
     const float r = radius * sqrt((float(i) + 0.5) / float(shadow_taps)), angle = 2.39996323 * float(i);
-    const vec2 at = here + r * vec2(cos(angle), sin(angle)), base = floor(at - 0.5), f = at - 0.5 - base;
+    const vec2 at = m.here + r * vec2(cos(angle), sin(angle)), base = floor(at - 0.5), f = at - 0.5 - base;
 
     const float off_m = r * texel_m;
-    const float plane_m = way_of(ray, max(depth + dot(m.slope, at - here), 0.0)),
+    const float plane_m = way_of(ray, max(depth + dot(m.slope, at - m.here), 0.0)),
                 free_m = max(plane_m, -1.7 * off_m) + 1.5 * texel_m + rise * off_m;
     const float free = (ray.clip.z + free_m * ray.zw.x) / (ray.clip.w + free_m * ray.zw.y);
 
-    const vec4 z = textureGather(shadow_depths, vec3((base + 1.0) / size, m.layer));
+    const vec4 z = shadow_depths_around(base + 1.0, m.layer);
     const vec4 open = step(z, vec4(free));  // (0,1) (1,1) (1,0) (0,0)
-    const bool known = all(greaterThan(at, vec2(0.5))) && all(lessThan(at, size - 0.5));
+    const bool known = all(greaterThan(at, vec2(0.5))) && all(lessThan(at, vec2(m.side - 0.5)));
     lit += known ? mix(mix(open.w, open.z, f.x), mix(open.x, open.y, f.x), f.y) : 1.0;
   }
   return lit / float(shadow_taps);
@@ -48,7 +47,7 @@ float disc_lit(MapLook m, MapRay ray, float radius_m, float texel_m, float rise)
 float lit_distance_m(LightIo light, Arriving a, ShadingPoint s, float radius_m, float through_m) {
   if (light.shadow_layers == 0u) return radius_m;
   const float texel_m = shadow_texel_m(light, a);
-  const vec3 q = off_the_surface(s, a, texel_m, clear_of_plane) + a.to_light * through_m;
+  const vec3 q = off_the_surface(s, a, texel_m, off_the_plane) + a.to_light * through_m;
   const MapLook m = look_into_map(light, q, s.normal, a.to_light);
   if (!m.inside) return radius_m;
 
