@@ -101,8 +101,9 @@ struct QualitySettings {
   /// takes as few as its wide Gaussians need (docs/techniques.md), whatever this is: 512 for a scan of a
   /// head.
   int map_size = 2048;
-  int shadow_size = 1024;  ///< at most, texels: far heads take less
-  int samples = 4;         ///< anti-aliasing, 1 or 4 per pixel
+  /// Texels of a side, at most: heads take three per pixel across, in steps of half an octave.
+  int shadow_size = 1024;
+  int samples = 4;  ///< anti-aliasing, 1 or 4 per pixel
   /// Points, 1 or 2, at which skin is lit and shaded in a pixel that one surface covers. Light has edges and
   /// glints finer than a pixel, which anti-aliasing of surfaces does not see.
   int light_samples = 2;

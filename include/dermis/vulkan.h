@@ -179,9 +179,9 @@ struct MaterialImage {
 /// heads must be in it (record_depth()): their own shadows and the thickness of their ears come from its
 /// depth, and without them light passes through the body. Depth does not say which side of a surface the
 /// light meets: where the inside of an open mesh is lit, light may come through at its edges. Reads are
-/// compared with the plane of the surface, so no depth bias of the host's is needed. On a head texels
-/// should not be much wider than 0.5 mm. Skin outside of the map is lit. Contents may change in every frame;
-/// view, extent and matrix by update(), at the cost of a pose.
+/// compared with the plane of the surface, so no depth bias of the host's is needed where quality.shadow_size
+/// is the side of the map. On a head texels should not be much wider than 0.5 mm. Skin outside of the map is
+/// lit. Contents may change in every frame; view, extent and matrix by update(), at the cost of a pose.
 struct LightShadow {
   LightId light{};
   /// D32_SFLOAT or D16_UNORM, 2D, one sample, SAMPLED; in SHADER_READ_ONLY_OPTIMAL while commands of

@@ -42,7 +42,7 @@ std::string facts(const Run& run) {
       {"scene", run.scene},
       {"picture", fmt::format("{} x {} pixels, {} samples per pixel", s.output.width, s.output.height,
                               s.quality.samples)},
-      {"maps", fmt::format("light {0} x {0}, shadows {1} x {1} texels; {2} lights, {3} Gaussians",
+      {"maps", fmt::format("light {0} x {0}, shadows at most {1} x {1} texels; {2} lights, {3} Gaussians",
                            s.quality.map_size, s.quality.shadow_size, run.lights, run.gaussians)},
       {"times", fmt::format("medians of {} rounds \u00b1 half of the way from the least to the greatest; a "
                             "round draws every column once; {}",

@@ -22,7 +22,7 @@
 #include "render/setup/models.h"
 #include "render/setup/pool.h"
 #include "render/shared/entries_io.h"
-#include "render/techniques/map_side.h"
+#include "render/techniques/sides_by_need.h"
 
 namespace dermis::setup {
 namespace {
@@ -66,13 +66,16 @@ bool is_deformed(const HostSetup* host, const Head& head) {
 }
 
 // Returns the side of the shadow maps of a head. Finer ones are not seen: at these the error against ground
-// truth no longer falls (docs/notes/techniques.md). A layer that is shown is drawn whole.
+// truth no longer falls (docs/notes/techniques.md). A layer that is shown is drawn whole. A head that moves
+// counts with the size of its rest, so that only its distance changes the side.
 std::uint32_t shadow_side(const passes::ShadowBounds& bounds, const RenderSettings& s,
                           const scene::Camera& camera) {
   constexpr double texels_per_pixel = 3;
   const auto most = static_cast<std::uint32_t>(s.quality.shadow_size);
   if (s.output.show.starts_with("shadow")) return most;
-  return techniques::side_of(texels_per_pixel * pixels_across(bounds.sphere, s, camera), most);
+  scene::BoundingSphere sphere = bounds.sphere;
+  if (bounds.rest) sphere.radius_m = bounds.rest->sphere.radius_m;
+  return techniques::side_of(texels_per_pixel * pixels_across(sphere, s, camera), most);
 }
 
 // Returns the instances, or the row of camera.heads of a single one.
@@ -246,7 +249,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
   plan.height = static_cast<std::uint32_t>(s.output.height);
   plan.samples = static_cast<std::uint32_t>(s.quality.samples);
   plan.light_samples = static_cast<std::uint32_t>(s.quality.light_samples);
-  plan.shadow_size = every_view ? static_cast<std::uint32_t>(s.quality.shadow_size) : 1;
+  plan.shadow_size = every_view ? static_cast<std::uint32_t>(s.quality.shadow_size) : 32;
   for (const Head& head : setup.heads) {
     if (head.visible) plan.shadow_size = std::max(plan.shadow_size, head.shadow_side);
     plan.shadow_layers =

@@ -93,8 +93,8 @@ struct HostSetup {
 /// everywhere is uniform. Throws InputError: no instance, or a row of several; see choose_camera(); or a map
 /// budget that does not hold one head. With a `host`, the frame is for its targets: the plan does not depend
 /// on the size of the picture, and the matrices of the camera are the host's, depth included. With
-/// `every_view` the plan serves every camera; else this one, and takes no more memory for light maps than its
-/// heads use.
+/// `every_view` the plan serves every camera; else this one, and takes no more memory for light and shadow
+/// maps than its heads use.
 FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects,
                   const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::optional<std::vector<scene::Light>>& environment_lights = {},

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "render/setup/frame_camera.h"
-#include "render/techniques/map_side.h"
 #include "render/techniques/mapped_terms.h"
+#include "render/techniques/sides_by_need.h"
 
 namespace dermis::setup {
 namespace {

@@ -41,9 +41,11 @@ std::uint32_t squares_in_budget(double budget_mb, double square_mb, std::uint32_
   return static_cast<std::uint32_t>(std::clamp(squares, 1.0, rows * rows));
 }
 
-// Shadow maps come on top of the light maps; large ones must not drive the heads of a batch out of memory.
-double heads_in_shadow(double shadow_mb, const RenderSettings& s, const DeviceTraits& device) {
-  double heads = most_together;
+// Shadow maps come on top of the light maps. Large ones must not drive the heads of a batch out of memory,
+// and small ones not beyond the layers of a texture.
+double heads_in_shadow(const techniques::FrameSettings& plan, double shadow_mb, const RenderSettings& s,
+                       const DeviceTraits& device) {
+  double heads = std::min(most_together, device.max_array_layers / std::max(plan.shadow_layers, 1u));
   if (device.memory_bytes > 0)
     heads = std::min(heads, static_cast<double>(device.memory_bytes) / 4e6 / shadow_mb);
   if (!s.quality.map_budget_mb)
@@ -81,7 +83,7 @@ void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& t
   }
   if (!plan.optimise.any()) return;
 
-  const double together = std::min(heads_in_shadow(mb(memory.shadow_maps), s, device),
+  const double together = std::min(heads_in_shadow(plan, mb(memory.shadow_maps), s, device),
                                    static_cast<double>(std::min(squares / meshes, heads.count)));
   plan.heads_per_batch = static_cast<std::uint32_t>(std::max(1.0, together));
 }

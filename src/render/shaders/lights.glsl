@@ -144,7 +144,8 @@ MapLook look_into_map(LightIo light, vec3 p, vec3 normal, vec3 to_light) {
 }
 
 // Returns the share of a tent over 3 x 3 bilinear comparisons where nothing is nearer to the light than the
-// plane of the surface, as weights of 4 x 4 comparisons. A plane never shadows itself, at any slope.
+// plane of the surface, as weights of 4 x 4 comparisons. A plane that light meets at less than 84 degrees
+// from its normal never shadows itself.
 float share_not_beyond(MapLook m) {
   const vec2 f = m.between, s = m.slope;
   const float first = m.clip.z / m.clip.w - dot(s, 1.0 + f);  // of the plane at the first texel

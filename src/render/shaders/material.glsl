@@ -2,8 +2,13 @@
 // Reads a material's maps at a point of a surface. Needs MaterialIo `material` and samplers map_base_colour
 // ... (scene_io.h). COMPUTE_SHADING: in compute shaders, whose points bring their derivatives.
 #include "render/shaders/switches.glsl"
-#include "render/shaders/view_vector.glsl"
 #include "render/shaders/shading_point.glsl"
+
+// Returns the unit vector from a point to the camera. Needs frame.glsl.
+vec3 view_vector(vec3 position_m) {
+  return is_on(frame.camera.orthographic) ? -frame.camera.direction
+                                          : normalize(frame.camera.eye_m - position_m);
+}
 
 vec2 map_uv(MapIo map, ShadingPoint s) {
   const vec2 uv = map.uv_set == 0u ? s.uv0 : s.uv1;
@@ -47,4 +52,29 @@ vec3 from_tangent_space(vec3 t, ShadingPoint s) {
 
 vec3 mapped_normal(MapIo map, sampler2D normal_map, ShadingPoint s) {
   return is_present(map) ? from_tangent_space(mapped_slope(map, normal_map, s), s) : s.normal;
+}
+
+// Relief finer than a texel of the normal map is a tiled map of normals, as near as a pixel shows it. The
+// finest furrows of a tile are some texels wide, and a tile that repeats shows only when they merge: the
+// relief fades between so many texels per pixel.
+const float detail_whole = 2.0, detail_gone = 8.0;
+
+// Returns the tile's normal at the point, flatter the more of its texels a pixel holds. Where none is left it
+// is not read.
+vec3 detail_normal(MapIo map, sampler2D tile, ShadingPoint s) {
+  const mat2 change = map_uv_change(map, s);
+  const vec2 side = vec2(textureSize(tile, 0)), dx = change[0] * side, dy = change[1] * side;
+  const float texels2 = max(dot(dx, dx), dot(dy, dy));  // of the axis along which they change faster
+  if (texels2 >= detail_gone * detail_gone) return vec3(0.0, 0.0, 1.0);
+
+  const vec3 n = textureLod(tile, map_uv(map, s), 0.5 * log2(max(texels2, 1e-12))).xyz * 2.0 - 1.0;
+  const float strength = map.scale * (1.0 - smoothstep(detail_whole, detail_gone, sqrt(texels2)));
+  return vec3(n.xy * strength, max(n.z, 0.1));
+}
+
+// Returns mapped_normal() with the relief of the tile added: slopes of heights add up.
+vec3 detailed_normal(MapIo map, sampler2D normal_map, MapIo detail, sampler2D tile, ShadingPoint s) {
+  const vec3 t = is_present(map) ? mapped_slope(map, normal_map, s) : vec3(0.0, 0.0, 1.0);
+  const vec3 d = detail_normal(detail, tile, s);
+  return from_tangent_space(vec3(t.xy * d.z + d.xy * t.z, t.z * d.z), s);
 }

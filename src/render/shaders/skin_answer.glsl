@@ -9,7 +9,6 @@ layout(constant_id = 12) const bool emits = false;
 layout(binding = 13) uniform sampler2D map_emissive;
 layout(constant_id = 22) const bool detailed = false;
 layout(binding = 30) uniform sampler2D map_detail;
-#include "render/shaders/detail.glsl"
 
 vec3 skin_normal(ShadingPoint s) {
   const MapIo map = material.maps[MAP_NORMAL];

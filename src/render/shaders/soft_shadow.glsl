@@ -21,7 +21,7 @@ float way_of(MapRay ray, float depth) {
   return (depth * ray.clip.w - ray.clip.z) / (ray.zw.x - depth * ray.zw.y);
 }
 
-// Returns the slope of the plane through the point with this normal: depth per unit of texture coordinates. A
+// Returns the slope of the plane through the point with this normal: depth per side of the map. A
 // plane stays a plane under projection, so two directions in it suffice. At grazing angles the plane is
 // turned towards the light, else its slope would diverge.
 vec2 depth_slope(mat4 from_world, vec4 clip, vec3 n, vec3 to_light) {

@@ -58,7 +58,7 @@ struct SkinMesh {
   double max_uv_per_mm = 1;    ///< in the densest direction; a twentieth of the skin has more
   double mean_uv_per_mm = 1;   ///< geometric mean of both directions
   double least_uv_per_mm = 1;  ///< a twentieth of the skin has fewer
-  double wide_mm = 0;          ///< sigma of the narrowest terms that light maps hold near by: map_side.h
+  double wide_mm = 0;          ///< sigma of the narrowest terms that light maps hold near by: sides_by_need.h
   bool off_map = false;        ///< some of its triangles have no chart of the unwrap
   bool cut_out = false;        ///< some of its materials have an alpha test
   std::bitset<passes::SkinKind::count> kinds = 1;  ///< of its materials: passes::SkinLook
@@ -92,7 +92,7 @@ struct Model {
 struct Optimise {
   bool cull = false;  ///< leaves out triangles that face away from the camera
   /// uses only as much of the maps as the head's distance needs: changes Instance::map_side, and the plan
-  /// where a head comes close (map_side.h)
+  /// where a head comes close (sides_by_need.h)
   bool depth = false;
   bool clip = false;  ///< leaves out what lies outside the picture and a margin
   bool any() const { return cull || depth || clip; }
@@ -168,9 +168,9 @@ struct FrameSettings {
   std::uint64_t parts() const;                       ///< of all heads
   bool draws_picture() const { return picture && (!host || host->picture); }
   bool host_lights() const { return host && host->irradiance; }
-  /// Light maps hold the terms that pixels read, on as few texels as they take (map_side.h), and the rest of
-  /// the light is lit at the pixel: mapped_terms.h. Light that a host draws is known in the maps alone, and a
-  /// host that reads the blurred light reads all of it there.
+  /// Light maps hold the terms that pixels read (mapped_terms.h), on as few texels as they take
+  /// (sides_by_need.h). The rest of the light is lit at the pixel. Light that a host draws is known in the
+  /// maps alone, and a host that reads the blurred light reads all of it there.
   bool mixes() const { return optimise.depth && !all_mapped && !host_lights() && !(host && host->scattered); }
   /// Returns the texels per mm of maps of T that bound the first step of the part's chain of blurs. A
   /// twentieth of its skin exceeds them. T by need suits the mean density. The densest places let taps of the

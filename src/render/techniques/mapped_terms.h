@@ -10,8 +10,8 @@
 
 namespace dermis::techniques {
 
-/// Returns sigma, in texels at the mean density, of the narrowest term that a map is made for: map_side.h. It
-/// is less for a wide term of few pixels.
+/// Returns sigma, in texels at the mean density, of the narrowest term that a map is made for
+/// (sides_by_need.h). It is less for a wide term of few pixels.
 double held_sigma_texels(const SkinMesh& part, double sigma_mm, double pixels_per_mm);
 
 /// Returns sigma, in pixels, up to which a term is lit at the pixel: it would blur what the pixel does not

@@ -26,7 +26,7 @@ namespace {
 
 constexpr float radius_m = 0.1f;
 
-// Its edges are 30 degrees long: their middles lie 3.4 mm below the sphere, 70 texels of the shadow map.
+// Its edges are 30 degrees long: their middles lie 3.4 mm below the sphere, six texels of the shadow map.
 scene::AssetData coarse_sphere() {
   scene::AssetData made = scene::sphere(double{radius_m}, 3);
   made.cameras = {camera_from_above(double{radius_m}, {0, 0, 0.5f})};

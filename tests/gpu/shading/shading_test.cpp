@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/gtc/matrix_transform.hpp>
 #include <string>
+#include <utility>
 
 #include "gpu/support/failure.h"
 #include "gpu/support/heads.h"
@@ -316,12 +317,13 @@ scene::AssetData fold() {
 
 // A pixel of both squares is shaded at one point, beside the square that it takes: not below the other one.
 TEST(ShadingOfEntries, AFoldIsNotInItsOwnShadow) {
-  for (const int shadow_side : {512, 4096}) {
+  // Fine maps are those of many pixels.
+  for (const auto& [pixels, shadow_side] : {std::pair{48, 512}, std::pair{700, 4096}}) {
     SCOPED_TRACE(shadow_side);
     RenderSettings s = under_lamps_alone(settings_at(1, "lambert"));
     s.camera.distance.reset();
     s.camera.name = "above";
-    s.output.width = s.output.height = 48;
+    s.output.width = s.output.height = pixels;
     s.quality.shadow_size = shadow_side;
 
     const SkinRange range = skin_range(renderer().render(wrap(fold()), s));

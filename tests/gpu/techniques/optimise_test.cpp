@@ -12,7 +12,7 @@
 #include "gpu/support/settings.h"
 #include "head/scene/framing.h"
 #include "head/scene/surface/coverage.h"
-#include "render/techniques/map_side.h"
+#include "render/techniques/sides_by_need.h"
 
 namespace dermis::tests {
 namespace {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/techniques/map_side.h"
+#include "render/techniques/sides_by_need.h"
 #include "tissue/gaussians/known.h"
 
 namespace dermis::techniques::test {

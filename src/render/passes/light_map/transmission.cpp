@@ -154,7 +154,7 @@ std::size_t ThroughBindings::entry_of(std::uint32_t mesh) const {
 void ThroughBindings::offer(Bindings& bindings, const frame::Resources& resources, frame::TextureId entering,
                             frame::TextureId shadow, std::size_t entry) const {
   // A binding that is never read must be bound, too.
-  const gpu::SampledBinding maps = entering.valid() ? resources.linear(entering) : resources.nearest(shadow);
+  const gpu::SampledBinding maps = resources.nearest(entering.valid() ? entering : shadow);
   bindings.add("entering_maps", maps).add("Transmission", constants_[number_[entry]]);
 }
 

@@ -101,9 +101,10 @@ void Shadow::draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const 
   std::vector<gpu::ColourTarget> colour;
   if (in.entering.valid())
     colour.push_back({.texture = &resources.texture(in.entering), .layer = target, .clear = no_light});
-  const bool of_host =
-      settings.host_maps && layer < instance.host_shadows.size() && instance.host_shadows[layer].depth;
-  const std::uint32_t side = of_host ? shadow.desc().width : instance.shadow_side;
+  // The map of a host takes the whole layer, and so does the light that enters there.
+  const bool whole_layer = layer < instance.host_shadows.size() && instance.host_shadows[layer].depth;
+  const bool of_host = settings.host_maps && whole_layer;
+  const std::uint32_t side = whole_layer ? shadow.desc().width : instance.shadow_side;
   cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                       {side, side}, true);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PASSES_SHADE_IO_H
 #define DERMIS_PASSES_SHADE_IO_H
-#include "render/shared/shape_io.h"
 #include "render/shared/terms.h"
 #include "render/shared/transmission_io.h"
 #include "render/shared/types.h"
@@ -16,6 +15,12 @@ struct ShadeIo {
   uint first_triangle;  // of the part, in its mesh
   uint first_row;       // of the band, pixels
   uint width;           // of the targets, pixels
+};
+// The laws of a profile: ShapeLaws of dermis/profile.h, in mm of the asset.
+struct ShapeIo {
+  vec3 curvature_mm, convex_mm, concave_mm, difference_mm, difference_mm2;
+  vec3 front_share, front_per_mm;
+  vec3 exit_grazing, exit_change;  // normal minus grazing
 };
 // The terms that maps hold, and the laws of shape.
 struct SkinTermsIo {
@@ -33,6 +38,7 @@ struct ThroughTermsIo {
 };
 DERMIS_IO_END
 #ifdef __cplusplus
+static_assert(sizeof(dermis::io::ShapeIo) == 27 * 4);
 static_assert(sizeof(dermis::io::ShadeIo) == 128);  // of push constants all devices have these
 #endif
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/techniques/map_side.h"
+#include "render/techniques/sides_by_need.h"
 
 #include <algorithm>
 #include <cmath>
