@@ -87,17 +87,23 @@ float shadow_texel_m(LightIo light, Arriving a) {
   return light.type == LIGHT_DIRECTIONAL ? light.shadow_texel : light.shadow_texel * a.distance_m;
 }
 
-// Shadow bias of what compares with the plane of a point, which hollows and facets rise above. In texels of
-// the map, along the normal and towards the light. The first moves the edges of shadows. The second lets
-// light come through only where something touches the surface.
-const vec2 off_the_plane = vec2(0.25, 2.0);
+// The smallest cosine of the light at which a shadow is compared with the plane of the surface as it is. A
+// steeper plane would hide real occluders beside the point.
+const float steepest = 0.4;
 
-// Returns a point moved along its normal, to the rounded surface, or by an offset that grows with the grazing
-// angle up to `texels.x` if that is further. Plus `texels.y` towards the light.
-vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, vec2 texels) {
+// Shadow bias: returns a point moved along its normal by up to `texels`, the more the light grazes, or to the
+// rounded surface if that is further. Plus `towards` texels towards the light.
+vec3 off_the_surface(ShadingPoint s, Arriving a, float texel_m, float texels, float towards) {
   const float cosine = dot(s.normal, a.to_light), sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
-  return s.shadow_m + s.normal * max(texels.x * texel_m * sine, s.bulge_m) +
-         a.to_light * (texels.y * texel_m);
+  return s.shadow_m + s.normal * max(texels * texel_m * sine, s.bulge_m) + a.to_light * (towards * texel_m);
+}
+
+// Returns the point whose plane is compared. Where that is less steep than the surface, the point is clear of
+// the rest: the filter reaches two and a half texels. Facets and hollows rise above their plane by a little
+// more. Towards the light this moves no edge, but lets light come through at contacts.
+vec3 shadow_point(ShadingPoint s, Arriving a, float texel_m) {
+  const float rest = 1.0 - max(dot(s.normal, a.to_light), 0.0) / steepest;
+  return off_the_surface(s, a, texel_m, max(0.25, 2.5 * rest), 2.0);
 }
 
 // A light's map lies in the corner of its layers, as large as its head needs. Positions are in texels.
@@ -138,14 +144,13 @@ MapLook look_into_map(LightIo light, vec3 p, vec3 normal, vec3 to_light) {
 
   const vec2 base = floor(m.here - 0.5);
   m.between = m.here - 0.5 - base;
-  m.slope = depth_slope(m.from_world, m.clip, normal, to_light) / m.side;
+  m.slope = depth_slope(m.from_world, m.clip, normal, to_light, steepest) / m.side;
   for (int k = 0; k < 4; ++k) m.z[k] = shadow_depths_around(base + 2.0 * vec2(k & 1, k >> 1), m.layer);
   return m;
 }
 
 // Returns the share of a tent over 3 x 3 bilinear comparisons where nothing is nearer to the light than the
-// plane of the surface, as weights of 4 x 4 comparisons. A plane that light meets at less than 84 degrees
-// from its normal never shadows itself.
+// plane of the surface, as weights of 4 x 4 comparisons. A plane never shadows itself, at any slope.
 float share_not_beyond(MapLook m) {
   const vec2 f = m.between, s = m.slope;
   const float first = m.clip.z / m.clip.w - dot(s, 1.0 + f);  // of the plane at the first texel
@@ -178,7 +183,7 @@ float shadow_at(LightIo light, Arriving a, ShadingPoint s) {
     facing.normal = -s.normal;
     facing.bulge_m = -s.bulge_m;
   }
-  const vec3 q = off_the_surface(facing, a, shadow_texel_m(light, a), off_the_plane);
+  const vec3 q = shadow_point(facing, a, shadow_texel_m(light, a));
   const MapLook m = look_into_map(light, q, facing.normal, a.to_light);
   return m.inside ? share_lit(light, a, s, m) : 1.0;
 }

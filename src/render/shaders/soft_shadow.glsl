@@ -22,10 +22,10 @@ float way_of(MapRay ray, float depth) {
 }
 
 // Returns the slope of the plane through the point with this normal: depth per side of the map. A
-// plane stays a plane under projection, so two directions in it suffice. At grazing angles the plane is
-// turned towards the light, else its slope would diverge.
-vec2 depth_slope(mat4 from_world, vec4 clip, vec3 n, vec3 to_light) {
-  n = normalize(n + max(0.1 - dot(n, to_light), 0.0) * to_light);
+// plane stays a plane under projection, so two directions in it suffice. Where the light has a smaller
+// cosine, the plane is turned towards the light, else its slope would diverge.
+vec2 depth_slope(mat4 from_world, vec4 clip, vec3 n, vec3 to_light, float least_cosine) {
+  n = normalize(n + max(least_cosine - dot(n, to_light), 0.0) * to_light);
   const vec3 t = normalize(cross(n, abs(n.x) < 0.8 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0))),
              b = cross(n, t);
   const vec4 along_t = from_world * vec4(t, 0.0), along_b = from_world * vec4(b, 0.0);
@@ -74,12 +74,12 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, ShadingPoint s, fl
               sine = sqrt(clamp(1.0 - cosine * cosine, 0.0, 1.0));
 
   // Starts clear of the surface, which is not exactly the plane of its normal.
-  const vec4 clip = from_world * vec4(off_the_surface(s, a, texel_m, vec2(1.5, 1.0)), 1.0);
+  const vec4 clip = from_world * vec4(off_the_surface(s, a, texel_m, 1.5, 1.0), 1.0);
   if (clip.w <= 0.0) return hard;
 
   const float side = light.shadow_side;
   const MapRay ray = MapRay(clip, (from_world * vec4(a.to_light, 0.0)).zw);
-  const vec2 slope = depth_slope(from_world, clip, s.normal, a.to_light) / side;  // per texel
+  const vec2 slope = depth_slope(from_world, clip, s.normal, a.to_light, 0.1) / side;  // per texel
   const float depth = clip.z / clip.w, steepness = length(slope);
   const float horizon = tangent * sine / max(steepness, 1e-15);
 

@@ -114,7 +114,7 @@ LightRead read_light(LightIo light, Arriving a, ShadingPoint s, float cosine_her
   // Moved as in shadow_at() where the surface faces the light; distances behind are measured from the point
   // itself.
   const float texel_m = shadow_texel_m(light, a);
-  const vec3 q = cosine_here > 0.0 ? off_the_surface(s, a, texel_m, off_the_plane) : s.shadow_m;
+  const vec3 q = cosine_here > 0.0 ? shadow_point(s, a, texel_m) : s.shadow_m;
   const MapLook m = look_into_map(light, q, s.normal, a.to_light);
   r.inside = m.inside;
   if (!m.inside) return r;

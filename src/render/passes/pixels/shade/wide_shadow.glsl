@@ -47,7 +47,7 @@ float disc_lit(MapLook m, MapRay ray, float radius_m, float texel_m, float rise)
 float lit_distance_m(LightIo light, Arriving a, ShadingPoint s, float radius_m, float through_m) {
   if (light.shadow_layers == 0u) return radius_m;
   const float texel_m = shadow_texel_m(light, a);
-  const vec3 q = off_the_surface(s, a, texel_m, off_the_plane) + a.to_light * through_m;
+  const vec3 q = shadow_point(s, a, texel_m) + a.to_light * through_m;
   const MapLook m = look_into_map(light, q, s.normal, a.to_light);
   if (!m.inside) return radius_m;
 
