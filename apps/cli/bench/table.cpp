@@ -35,9 +35,8 @@ std::string sizes_text(std::vector<int> sizes) {
 std::string table_head(const Run& run) {
   const RenderSettings& s = run.settings;
   std::string text = fmt::format(
-      "{} ({}, Vulkan {})\n{}: {}x{} pixels, maps of {}, shadow maps of at most {}, {} samples, {} lights, "
-      "{} "
-      "Gaussians\n",
+      "{} ({}, Vulkan {})\n{}: {}x{} pixels, maps of {}, shadow maps of at most {}, {} samples, "
+      "{} lights, {} Gaussians\n",
       run.device, run.driver, run.api, run.scene, s.output.width, s.output.height, s.quality.map_size,
       s.quality.shadow_size, s.quality.samples, run.lights, run.gaussians);
   text += fmt::format("frames in ms, medians of {} rounds\n\n", run.rounds) +

@@ -123,8 +123,7 @@ std::string technique_grid_head(const Run& run, const std::vector<Variant>& colu
   const RenderSettings& s = run.settings;
   std::string text = fmt::format(
       "{}: {}x{} pixels, maps of {}, shadow maps of at most {}, {} samples\nframes in ms, medians of {} "
-      "rounds in "
-      "turns; in brackets what is beyond lambert\n\n",
+      "rounds in turns; in brackets what is beyond lambert\n\n",
       run.scene, s.output.width, s.output.height, s.quality.map_size, s.quality.shadow_size,
       s.quality.samples, run.rounds);
   text += fmt::format("{:>5} {:>8} {:>6} |", "heads", "distance", "skin");

@@ -37,7 +37,8 @@ std::uint32_t type_number(LightType type) {
   assertion_failed("a light has a LightType", fmt::format("{}", static_cast<int>(type)), __FILE__, __LINE__);
 }
 
-io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, std::size_t first_layer) {
+io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, int side,
+                     std::size_t first_layer) {
   io::LightIo out{};
   out.colour = light.colour;
   out.type = type_number(light.type);
@@ -49,6 +50,7 @@ io::LightIo light_io(const scene::Light& light, const passes::ShadowFit& fit, st
   out.shadow_layer = static_cast<std::uint32_t>(first_layer);
   out.shadow_layers = static_cast<std::uint32_t>(fit.shadow_from_world.size());
   out.shadow_texel = fit.texel;
+  out.shadow_side = static_cast<float>(side);
   out.radius = light.radius;
   return out;
 }
@@ -119,17 +121,16 @@ void set_up_heads(std::vector<Head>& heads, const PlacedScene& scene,
 
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const HostShadow* of_host = host_shadow(host, i);
+      const int side = of_host ? s.quality.shadow_size : static_cast<int>(head.shadow_side);
       const passes::ShadowFit fit =
           of_host
               ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
-              : passes::fit_shadow(lights[i], casters.bounds(), static_cast<int>(head.shadow_side));
+              : passes::fit_shadow(lights[i], casters.bounds(), side);
       if (of_host) {
         head.host_shadows.resize(head.shadow_from_world.size());
         head.host_shadows.push_back({of_host->depth, of_host->reversed});
       }
-      head.lights.push_back(light_io(lights[i], fit, head.shadow_from_world.size()));
-      head.lights.back().shadow_side =
-          of_host ? static_cast<float>(s.quality.shadow_size) : static_cast<float>(head.shadow_side);
+      head.lights.push_back(light_io(lights[i], fit, side, head.shadow_from_world.size()));
       head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
                                     fit.shadow_from_world.end());
     }
@@ -249,7 +250,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
   plan.height = static_cast<std::uint32_t>(s.output.height);
   plan.samples = static_cast<std::uint32_t>(s.quality.samples);
   plan.light_samples = static_cast<std::uint32_t>(s.quality.light_samples);
-  plan.shadow_size = every_view ? static_cast<std::uint32_t>(s.quality.shadow_size) : 32;
+  const auto most = static_cast<std::uint32_t>(s.quality.shadow_size);
+  plan.shadow_size = every_view ? most : techniques::side_of(0, most);
   for (const Head& head : setup.heads) {
     if (head.visible) plan.shadow_size = std::max(plan.shadow_size, head.shadow_side);
     plan.shadow_layers =

@@ -106,13 +106,9 @@ vec3 shadow_point(ShadingPoint s, Arriving a, float texel_m) {
   return off_the_surface(s, a, texel_m, max(0.25, 2.5 * rest), 2.0);
 }
 
-// A light's map lies in the corner of its layers, as large as its head needs. Positions are in texels.
-vec4 shadow_depths_around(vec2 corner, float layer) {
-  return textureGather(shadow_depths, vec3(corner / vec2(textureSize(shadow_depths, 0).xy), layer));
-}
-float shadow_depth_at(vec2 texel, float layer) {
-  return textureLod(shadow_depths, vec3(texel / vec2(textureSize(shadow_depths, 0).xy), layer), 0.0).x;
-}
+// Returns texture coordinates of a position in a light's map, texels. The map lies in the corner of its
+// layers, as large as its head needs.
+vec3 in_layer(vec2 at, float layer) { return vec3(at / vec2(textureSize(shadow_depths, 0).xy), layer); }
 
 #include "render/shaders/soft_shadow.glsl"
 
@@ -145,7 +141,8 @@ MapLook look_into_map(LightIo light, vec3 p, vec3 normal, vec3 to_light) {
   const vec2 base = floor(m.here - 0.5);
   m.between = m.here - 0.5 - base;
   m.slope = depth_slope(m.from_world, m.clip, normal, to_light, steepest) / m.side;
-  for (int k = 0; k < 4; ++k) m.z[k] = shadow_depths_around(base + 2.0 * vec2(k & 1, k >> 1), m.layer);
+  for (int k = 0; k < 4; ++k)
+    m.z[k] = textureGather(shadow_depths, in_layer(base + 2.0 * vec2(k & 1, k >> 1), m.layer));
   return m;
 }
 

@@ -21,9 +21,9 @@ float way_of(MapRay ray, float depth) {
   return (depth * ray.clip.w - ray.clip.z) / (ray.zw.x - depth * ray.zw.y);
 }
 
-// Returns the slope of the plane through the point with this normal: depth per side of the map. A
-// plane stays a plane under projection, so two directions in it suffice. Where the light has a smaller
-// cosine, the plane is turned towards the light, else its slope would diverge.
+// Returns the slope of the plane through the point with this normal: depth per side of the map. A plane stays
+// a plane under projection, so two directions in it suffice. Where the light has a smaller cosine, the plane
+// is turned towards the light, else its slope would diverge.
 vec2 depth_slope(mat4 from_world, vec4 clip, vec3 n, vec3 to_light, float least_cosine) {
   n = normalize(n + max(least_cosine - dot(n, to_light), 0.0) * to_light);
   const vec3 t = normalize(cross(n, abs(n.x) < 0.8 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0))),
@@ -104,7 +104,7 @@ float soft_shadow(LightIo light, Arriving a, mat4 from_world, ShadingPoint s, fl
       const float t = (float(k) + jitter) / float(soft_steps), t_next = t + 1.0 / float(soft_steps),
                   next = reach * t_next * t_next * t_next;
       const vec2 at = floor(here + direction * (0.5 * (r + next))) + 0.5;
-      const float way_m = way_of(ray, shadow_depth_at(at, layer));
+      const float way_m = way_of(ray, textureLod(shadow_depths, in_layer(at, layer), 0.0).x);
       const float plane_m = max(way_of(ray, max(depth + dot(slope, at - here), 0.0)), 0.0);
       const bool known = all(greaterThan(at, vec2(0.0))) &&
                          all(lessThan(at, vec2(side)));  // six maps around a light end at their borders

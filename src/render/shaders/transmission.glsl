@@ -40,7 +40,7 @@ struct FirstSurfaces {
 // lets none in. Its depth, often that of the very point that is lit, must not be mixed with others. Nothing
 // is read where the surface faces the light, as in look_beside().
 FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
-  const vec2 f = m.between, layer_side = vec2(textureSize(shadow_depths, 0).xy), base = floor(m.here - 0.5);
+  const vec2 f = m.between, base = floor(m.here - 0.5);
   FirstSurfaces s;
   s.depth = vec4(m.z[0].y, m.z[1].x, m.z[2].z, m.z[3].w);
   s.share = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
@@ -51,8 +51,8 @@ FirstSurfaces first_surfaces(MapLook m, MapRay ray, float texel_m, bool faces) {
   const float surface = dot(s.share, vec4(1.0));
   const int texels = faces || !entering_stored ? 0 : 4;
   for (int k = 0; k < texels; ++k) {
-    const vec2 uv = (base + vec2(k & 1, k >> 1) + 0.5) / layer_side;
-    const vec4 stored = textureLod(entering_maps, vec3(uv, m.layer), 0.0);
+    const vec2 at = base + vec2(k & 1, k >> 1) + 0.5;
+    const vec4 stored = textureLod(entering_maps, in_layer(at, m.layer), 0.0);
     const vec3 root = stored.rgb / max(stored.a, 1e-3);
     s.shaded = s.shaded && (stored.a > 0.0 || s.depth[k] == 0.0);
     // Behind the point, but for the rounding of a slope, a surface is another part.
@@ -86,11 +86,11 @@ void find_lit_point(inout LightRead r, MapLook m, FirstSurfaces s, MapRay ray, v
 // Returns the distance along a ray beside that of the light, in texels. Where there is no surface, or its
 // back, or outside the map, no light enters.
 float way_beside(MapRay ray, MapLook m, vec2 side) {
-  const vec2 at = floor(m.here + side) + 0.5, layer_side = vec2(textureSize(shadow_depths, 0).xy);
+  const vec2 at = floor(m.here + side) + 0.5;
   const bool known = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(m.side)));
-  const float depth = shadow_depth_at(at, m.layer);
-  const bool enters =
-      !entering_stored || textureLod(entering_maps, vec3(at / layer_side, m.layer), 0.0).r > 0.0;
+  const vec3 texel = in_layer(at, m.layer);
+  const float depth = textureLod(shadow_depths, texel, 0.0).x;
+  const bool enters = !entering_stored || textureLod(entering_maps, texel, 0.0).r > 0.0;
   return known && depth > 0.0 && enters ? way_of(ray, depth) : 1e3;
 }
 

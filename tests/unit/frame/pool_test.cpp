@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many heads are lit together.
+// The number of heads that are lit together.
 #include "render/setup/pool.h"
 
 #include <gtest/gtest.h>

@@ -16,12 +16,14 @@ struct ShadeIo {
   uint first_row;       // of the band, pixels
   uint width;           // of the targets, pixels
 };
+
 // The laws of a profile: ShapeLaws of dermis/profile.h, in mm of the asset.
 struct ShapeIo {
   vec3 curvature_mm, convex_mm, concave_mm, difference_mm, difference_mm2;
   vec3 front_share, front_per_mm;
   vec3 exit_grazing, exit_change;  // normal minus grazing
 };
+
 // The terms that maps hold, and the laws of shape.
 struct SkinTermsIo {
   float sigma_mm[MOST_TERMS];  // of the Gaussians that maps hold, narrow to wide
@@ -31,6 +33,7 @@ struct SkinTermsIo {
   float exit_offset_m;  // mean of the channels
   float m_per_mm;       // of the world, of the asset
 };
+
 // One buffer in place of two: devices may have no more than 32 bindings.
 struct ThroughTermsIo {
   SkinTermsIo terms;

@@ -33,7 +33,7 @@ float disc_lit(MapLook m, MapRay ray, float radius_m, float texel_m, float rise)
                 free_m = max(plane_m, -1.7 * off_m) + 1.5 * texel_m + rise * off_m;
     const float free = (ray.clip.z + free_m * ray.zw.x) / (ray.clip.w + free_m * ray.zw.y);
 
-    const vec4 z = shadow_depths_around(base + 1.0, m.layer);
+    const vec4 z = textureGather(shadow_depths, in_layer(base + 1.0, m.layer));
     const vec4 open = step(z, vec4(free));  // (0,1) (1,1) (1,0) (0,0)
     const bool known = all(greaterThan(at, vec2(0.5))) && all(lessThan(at, vec2(m.side - 0.5)));
     lit += known ? mix(mix(open.w, open.z, f.x), mix(open.x, open.y, f.x), f.y) : 1.0;
