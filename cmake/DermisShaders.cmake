@@ -34,7 +34,8 @@ function(dermis_shaders target)
     list(APPEND codes ${code})
     add_custom_command(
       OUTPUT ${code}
-      COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror -I ${PROJECT_SOURCE_DIR}/src
+      COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror
+        -I ${PROJECT_SOURCE_DIR}/src -I ${PROJECT_SOURCE_DIR}/include
         -MD -MF ${code}.d -MT ${code} -mfmt=num -o ${code} ${source}
       DEPENDS ${source}
       DEPFILE ${code}.d

@@ -2,19 +2,18 @@
 // embedding OUT.ppm [--frames N] [--linear OUT.pfm] [--validate]: an engine, as small as it goes, with heads
 // of dermis in its own frames. The left head is drawn by dermis into the engine's colour and depth (way (i)
 // of dermis/vulkan.h), the right one by the engine's own shaders with the light that dermis has spread in its
-// skin (way (iii)). All of a frame is one command buffer, two frames are in flight, and half way the window
-// changes its size. Draws off screen, and writes the last frame.
+// skin (way (iii)) and the engine's own shadow map (way (ii)). All of a frame is one command buffer, two
+// frames are in flight, and half way the window changes its size. Draws off screen, and writes the last
+// frame.
 #include <dermis/renderer.h>
 #include <dermis/vulkan.h>
 
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <optional>
 #include <string>
-#include <string_view>
 
+#include "arguments.h"
 #include "device.h"
 #include "picture.h"
 #include "pipeline.h"
@@ -24,7 +23,7 @@ namespace {
 
 constexpr std::uint32_t frames_in_flight = 2;
 constexpr VkExtent2D first_size{320, 240}, second_size{400, 320};  // of the window, pixels
-constexpr VkExtent2D largest_size = second_size;
+constexpr VkExtent2D largest_size = second_size, shadow_size{1024, 1024};
 constexpr VkFormat colour_format = VK_FORMAT_R16G16B16A16_SFLOAT, depth_format = VK_FORMAT_D32_SFLOAT;
 
 constexpr std::uint32_t floor_vert[] = {
@@ -42,7 +41,7 @@ constexpr std::uint32_t head_frag[] = {
 
 // Both as shaders/host.glsl has them.
 struct FrameConstants {
-  glm::mat4 clip_from_world;
+  glm::mat4 clip_from_world, shadow_from_world;
   glm::vec4 eye_m, to_lamp, lamp_irradiance;
 };
 struct Push {
@@ -78,7 +77,7 @@ host::Pipeline head_pipeline(const host::Device& device) {
                           {1, 1, VK_FORMAT_R32G32B32_SFLOAT, 0},
                           {2, 2, VK_FORMAT_R32G32_SFLOAT, 0}},
            .descriptors = {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                           VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+                           VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
            .push_bytes = sizeof(Push)}};
 }
 
@@ -97,6 +96,7 @@ class Engine {
     host::Buffer constants;
   };
   void make_targets(PerFrame& own, VkExtent2D window) const;
+  void draw_shadow_map(VkCommandBuffer commands);
   void draw_floor(VkCommandBuffer commands, const PerFrame& own, std::uint32_t slot) const;
   void draw_right_head(VkCommandBuffer commands, const PerFrame& own, std::uint32_t slot,
                        const dermis::vulkan::Recorded& recorded) const;
@@ -106,7 +106,8 @@ class Engine {
   host::Buffer positions_, normals_, uvs_, indices_;
   host::Pipeline floor_, head_;
   host::DescriptorSets floor_sets_, head_sets_;
-  host::Owned<VkSampler> sampler_;
+  host::Owned<VkSampler> sampler_, compares_;
+  host::Image shadow_;  // one for all frames: barriers keep their order
 
   // dermis keeps what frames in flight use, so frames_ is destroyed first: that waits for them.
   dermis::Renderer renderer_;
@@ -127,11 +128,15 @@ Engine::Engine(const host::Device& device)
       floor_sets_(device, floor_, frames_in_flight),
       head_sets_(device, head_, frames_in_flight),
       sampler_(host::make_sampler(device)),
+      compares_(host::make_sampler(device, VK_COMPARE_OP_LESS_OR_EQUAL)),
+      shadow_(device.make_image(depth_format, shadow_size,
+                                VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT)),
       renderer_(device.host()),
       heads_(renderer_, {.frames_in_flight = frames_in_flight,
                          .picture = dermis::vulkan::PictureTargets{.colour_format = colour_format,
                                                                    .depth_format = depth_format,
                                                                    .largest = largest_size},
+                         .depths = {{.format = depth_format, .reversed_depth = false}},
                          .scattered = true}),
       frames_(device, frames_in_flight) {
   for (PerFrame& own : per_frame_)
@@ -161,11 +166,13 @@ void Engine::draw(VkExtent2D window) {
 
   const dermis::CameraMatrices camera = stage::camera(frame.numbers.frame, window.width, window.height);
   const FrameConstants constants{.clip_from_world = stage::matrix_of(dermis::vulkan::clip_from_world(camera)),
+                                 .shadow_from_world = glm::mat4(stage::shadow_from_world()),
                                  .eye_m = glm::vec4(stage::eye_m(frame.numbers.frame), 1),
                                  .to_lamp = glm::vec4(-glm::normalize(stage::lamp_direction), 0),
                                  .lamp_irradiance = glm::vec4(stage::lamp_irradiance, 0)};
   std::memcpy(own.constants.mapped, &constants, sizeof(constants));
 
+  draw_shadow_map(frame.commands);
   host::transition(frame.commands, own.targets.colour, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
   host::transition(frame.commands, own.targets.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
   draw_floor(frame.commands, own, frame.slot);
@@ -179,6 +186,17 @@ void Engine::draw(VkExtent2D window) {
   const dermis::vulkan::Recorded recorded = heads_.record(frame.commands, std::span(&view, 1), frame.numbers);
   draw_right_head(frame.commands, own, frame.slot, recorded);
   frames_.submit();
+}
+
+// Both heads, by way (ii): for the light that the host's shader adds to that of dermis.
+void Engine::draw_shadow_map(VkCommandBuffer commands) {
+  shadow_.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  host::transition(commands, shadow_, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
+  host::begin_rendering(commands, nullptr, &shadow_, {}, 1.0f);
+  vkCmdEndRendering(commands);
+  heads_.record_depth(commands, stage::columns_of(stage::shadow_from_world()),
+                      {.depth = shadow_.view.get(), .extent = shadow_size});
+  host::transition(commands, shadow_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
 
 void Engine::draw_floor(VkCommandBuffer commands, const PerFrame& own, std::uint32_t slot) const {
@@ -199,7 +217,9 @@ void Engine::draw_right_head(VkCommandBuffer commands, const PerFrame& own, std:
       host::Descriptor{.buffer = {own.constants.buffer.get(), 0, VK_WHOLE_SIZE}},
       host::Descriptor{
           .image = {sampler_.get(), recorded.scattered, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}},
-      host::Descriptor{.buffer = {recorded.records, recorded.records_offset, recorded.records_bytes}}};
+      host::Descriptor{.buffer = {recorded.records, recorded.records_offset, recorded.records_bytes}},
+      host::Descriptor{
+          .image = {compares_.get(), shadow_.view.get(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}}};
   const Push push{.world_from_asset = stage::matrix_of(stage_.scene.instance(stage_.right).world_from_asset),
                   .albedo = {stage::skin_albedo, stage::skin_roughness},
                   .record = heads_.record_of(stage_.right)};
@@ -221,41 +241,10 @@ host::Picture Engine::last_picture() {
   return host::picture_of_halves(colour.extent.width, colour.extent.height, device_->read(colour, 8));
 }
 
-struct Arguments {
-  std::string picture, linear;
-  int frames = 60;
-  bool validate = false;
-};
-
-// Returns nothing if they make no sense.
-std::optional<Arguments> read_arguments(std::span<char*> words) {
-  Arguments read;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string_view word = words[i];
-    const std::string_view value = i + 1 < words.size() ? words[i + 1] : "";
-    if (word == "--validate") {
-      read.validate = true;
-    } else if (word == "--linear" && !value.empty()) {
-      read.linear = words[++i];
-    } else if (word == "--frames") {
-      const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), read.frames);
-      if (error != std::errc() || end != value.data() + value.size()) return {};
-      if (read.frames < 1 || read.frames > 1'000'000) return {};
-      ++i;
-    } else if (read.picture.empty() && !word.empty() && word.front() != '-') {
-      read.picture = word;
-    } else {
-      return {};
-    }
-  }
-  if (read.picture.empty()) return {};
-  return read;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::optional<Arguments> arguments = read_arguments({argv + 1, argv + argc});
+  const std::optional<host::Arguments> arguments = host::read_arguments({argv + 1, argv + argc});
   if (!arguments) {
     std::fprintf(stderr, "usage: embedding OUT.ppm [--frames 1..1000000] [--linear OUT.pfm] [--validate]\n");
     return 2;

@@ -96,13 +96,13 @@ dermis::Asset asset_of(const Head& head) {
   return dermis::Asset::from_arrays(arrays);
 }
 
+}  // namespace
+
 std::array<double, 16> columns_of(const glm::dmat4& m) {
   std::array<double, 16> out{};
   std::copy_n(&m[0][0], 16, out.begin());
   return out;
 }
-
-}  // namespace
 
 Stage::Stage() : head(make_head()) {
   const dermis::Asset asset = asset_of(head);
@@ -127,7 +127,6 @@ dermis::RenderSettings settings() {
   dermis::RenderSettings s;
   s.lighting.ambient = 0;  // the lamp alone, so that the host's shading stays short
   s.quality.map_size = 256;
-  s.quality.depth = false;  // an engine that shades skin reads all of its light from the maps
   s.quality.shadow_size = 512;
   s.quality.samples = 1;
   s.output.exposure_ev = 0;
@@ -150,6 +149,13 @@ dermis::CameraMatrices camera(std::uint64_t frame, std::uint32_t width, std::uin
   return {.camera_from_world =
               columns_of(glm::lookAt(glm::dvec3(eye_m(frame)), glm::dvec3(0, -0.01, 0), glm::dvec3(0, 1, 0))),
           .clip_from_camera = columns_of(clip_from_camera)};
+}
+
+glm::dmat4 shadow_from_world() {
+  const glm::dvec3 travels = glm::normalize(glm::dvec3(lamp_direction));
+  glm::dmat4 clip_from_lamp = glm::orthoRH_ZO(-0.3, 0.3, -0.3, 0.3, 0.5, 1.5);  // m
+  for (int column = 0; column < 4; ++column) clip_from_lamp[column][1] = -clip_from_lamp[column][1];
+  return clip_from_lamp * glm::lookAtRH(-travels, glm::dvec3(0), glm::dvec3(0, 1, 0));
 }
 
 glm::mat4 matrix_of(const std::array<double, 16>& columns) {

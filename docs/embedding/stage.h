@@ -42,6 +42,9 @@ dermis::RenderSettings settings();
 /// Reversed depth, infinite far plane, clip y down.
 dermis::CameraMatrices camera(std::uint64_t frame, std::uint32_t width, std::uint32_t height);
 glm::vec3 eye_m(std::uint64_t frame);
+/// The host's shadow map of the lamp, around both heads: orthographic, near is 0, clip y down.
+glm::dmat4 shadow_from_world();
+std::array<double, 16> columns_of(const glm::dmat4& m);
 
 glm::mat4 matrix_of(const std::array<double, 16>& columns);
 

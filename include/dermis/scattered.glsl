@@ -7,8 +7,11 @@
 //   #define DERMIS_RECORDS_BINDING 1  // Recorded::records, a storage buffer
 //   #include "dermis/scattered.glsl"
 //   ...
-//   vec3 diffuse = dermis_scattered(record, uv) * pow(albedo, vec3(1.0 - mix_before));
+//   const DermisScattered skin = dermis_scattered(record, uv);
+//   vec3 diffuse = skin.light * pow(albedo, vec3(1.0 - mix_before)) + skin.rest * lit * albedo;
 //
+// lit: irradiance of the host's lights at the pixel, with their shadows, times 2^exposure_ev / pi. Light that
+// is reflected does not enter: see below.
 // record: HostFrames::record_of(); uv: TEXCOORD_0 of the asset as it is, interpolated `centroid` where there
 // are several samples per pixel. The host adds reflections, and takes from the diffuse light what these keep:
 // 1 minus the directional albedo of the specular. dermis's own: 0.18 pi times Beckmann's lobe with Schlick's
@@ -22,8 +25,8 @@ struct DermisRecord {
   vec2 uv_scale, uv_offset;  // from the asset's texture coordinates to its map, which is 0..1
   vec2 origin;               // of the head's square in the layer, texels
   float side;                // of the square, texels
-  uint layer;
-  uint lit;  // 0: not lit in this frame; outside the picture, or hidden
+  uint layer;                // of the light; the weight of the rest is in the next
+  uint lit;                  // 0: nothing is read from maps; outside the picture, hidden, or far away
 };
 
 layout(set = DERMIS_SET, binding = DERMIS_LIGHT_BINDING) uniform sampler2DArray dermis_light;
@@ -37,26 +40,41 @@ vec2 dermis_map_position(uint record, vec2 uv) {
   return uv * r.uv_scale + r.uv_offset;
 }
 
-// Returns the light that leaves white skin there, times 2^exposure_ev: radiance, linear Rec.709, with the
-// part of the albedo that acts before the light spreads. Bilinear among the texels that hold skin; a texel
-// beside an open border counts only if there is nothing else. 0 where the head is not lit.
-vec3 dermis_scattered(uint record, vec2 uv) {
+// The light of the terms of the profile that light maps hold, and the weight of the others. A pixel cannot
+// tell narrow ones from light that leaves where it entered.
+struct DermisScattered {
+  // What leaves white skin, times 2^exposure_ev: radiance, linear Rec.709, with the part of the albedo that
+  // acts before the light spreads.
+  vec3 light;
+  vec3 rest;  // per channel; 1 where the head is not lit in this frame, or so far away that no term is mapped
+};
+
+// Returns those at texture coordinates of a head. Bilinear among the texels that hold skin; a texel beside an
+// open border counts only if there is nothing else.
+DermisScattered dermis_scattered(uint record, vec2 uv) {
   const DermisRecord r = dermis_records[record];
-  if (r.lit == 0u) return vec3(0.0);
+  const DermisScattered none = DermisScattered(vec3(0.0), vec3(1.0));
+  if (r.lit == 0u) return none;
 
   const float margin = 0.5 + 1.0 / 256.0;
   const vec2 p = clamp((uv * r.uv_scale + r.uv_offset) * r.side, margin, r.side - margin) - 0.5;
   const vec2 corner = floor(p), f = p - corner;
-  vec4 sum = vec4(0.0);
+  DermisScattered sum = DermisScattered(vec3(0.0), vec3(0.0));
+  float total = 0.0;
   for (int k = 0; k < 4; ++k) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const ivec2 at = clamp(ivec2(corner) + d, ivec2(0), ivec2(r.side) - 1) + ivec2(r.origin);
     const vec4 texel = texelFetch(dermis_light, ivec3(at, int(r.layer)), 0);
-    const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
+    const float bilinear = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
     // A texel without weight may lie outside the square and hold anything: 0 times NaN is NaN.
-    if (weight <= 0.0 || texel.a == 0.0) continue;
-    sum += weight * (texel.a > 1.0 ? 1.0 / 256.0 : 1.0) * vec4(texel.rgb, 1.0);
+    if (bilinear <= 0.0 || texel.a == 0.0) continue;
+
+    const float weight = bilinear * (texel.a > 1.0 ? 1.0 / 256.0 : 1.0);
+    sum.light += weight * texel.rgb;
+    sum.rest += weight * texelFetch(dermis_light, ivec3(at, int(r.layer) + 1), 0).rgb;
+    total += weight;
   }
-  return sum.rgb / max(sum.w, 1e-6);
+  if (total == 0.0) return none;
+  return DermisScattered(sum.light / total, sum.rest / total);
 }
 #endif

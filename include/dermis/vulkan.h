@@ -219,6 +219,8 @@ struct HostInputs {
   std::vector<LightShadow> shadows{};
   /// Draws irradiance in place of the scene's lights, while record() runs; may be called several times, each
   /// time for other heads. Light through the body is off then; reflections stay those of the scene's lights.
+  /// That light is known in texels alone, so maps have quality.map_size texels per side and hold all terms,
+  /// however far a head is. With way (iii) there is no rest then.
   std::function<void(VkCommandBuffer, const IrradianceTarget&)> draw_irradiance{};
 };
 
@@ -241,8 +243,8 @@ class HostFrames {
     std::uint32_t frames_in_flight = 2;
     std::optional<PictureTargets> picture{};  ///< way (i)
     std::vector<DepthTargets> depths{};       ///< way (ii)
-    /// Way (iii); needs a technique with light maps. All heads in view are lit and blurred whole, however far
-    /// away: without it a head has only the terms that its pixels read.
+    /// Way (iii); needs a technique with light maps. They hold the terms that pixels of the view tell from
+    /// light that leaves where it entered; the others are the host's. quality.depth false: they hold all.
     bool scattered = false;
   };
 

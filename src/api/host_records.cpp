@@ -2,6 +2,7 @@
 #include "api/host_records.h"
 
 #include "base/core/error.h"
+#include "render/passes/scatter/scatter_sum/scatter_sum.h"
 
 namespace dermis::api {
 
@@ -33,8 +34,10 @@ std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
       HostRecord& record = records[first + mesh];
       record.origin = head.map_places[mesh].cell * head.map_places[mesh].side;
       record.side = static_cast<float>(head.map_side);
-      record.layer = head.map_places[mesh].batch;
-      record.lit = head.visible ? 1 : 0;
+      record.layer = passes::ScatterSum::layer_of(head.map_places[mesh].batch);
+      const passes::MapSquare square{static_cast<std::uint32_t>(i),
+                                     head.first_mesh + static_cast<std::uint32_t>(mesh)};
+      record.lit = head.visible && passes::terms_of(frame, square).any ? 1 : 0;
     }
   }
   return records;

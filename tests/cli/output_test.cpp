@@ -180,7 +180,8 @@ TEST_F(Output, AnOldFileSurvives) {
 // any work on the scene.
 // A map that is shown is as large as it may be, also in a small picture.
 TEST_F(Output, TooLittleDeviceMemory) {
-  expect_refused(render({head(), "--shadow-size", "16384", "--lights", "64", "--show", "shadow:0"}), "shadow");
+  expect_refused(render({head(), "--shadow-size", "16384", "--lights", "64", "--show", "shadow:0"}),
+                 "shadow");
 }
 
 // Without a device in between: drivers may fall over when the system has no memory left, our own code must

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Way (iii): the host's own shading of skin, around the light that dermis has spread in it.
+// Way (iii): the host's own shading of skin, around the light that dermis has spread in it. What light maps
+// do not hold of the light, the host lights itself, with its own shadow map.
 //
 // What differs from dermis: one lobe of reflection in place of two; a fit in place of the tabulated albedo of
 // the reflection; no shadow on highlights; nothing of the environment, of maps and of emission, because the
@@ -13,6 +14,7 @@
 #define DERMIS_LIGHT_BINDING 1
 #define DERMIS_RECORDS_BINDING 2
 #include "dermis/scattered.glsl"
+layout(set = 0, binding = 3) uniform sampler2DShadow shadow_map;
 
 layout(location = 0) in vec3 position_m;
 layout(location = 1) in vec3 normal;
@@ -39,12 +41,25 @@ float reflected(vec3 n, vec3 v, vec3 l, float slope) {
   return strength * lobe * fresnel / (4.0 * masked) * max(dot(n, l), 0.0);
 }
 
+// Returns the share of light along a direction that reflection does not send back: it enters or leaves.
+float kept(float cosine) { return 1.0 - (0.016 + 0.16 * pow(1.0 - max(cosine, 0.0), 3.6)); }
+
+// Returns the part of the lamp that is seen. Texels of 0.6 mm are steps, so the point moves away from them,
+// more towards the lamp than off the skin. Off the skin shadows would be shorter.
+float visible_lamp(vec3 n) {
+  const vec3 away_m = 0.0003 * n + 0.0015 * to_lamp.xyz;
+  const vec3 p = (shadow_from_world * vec4(position_m + away_m, 1.0)).xyz;
+  return texture(shadow_map, vec3(p.xy * 0.5 + 0.5, p.z));
+}
+
 void main() {
   const vec3 n = normalize(normal), v = normalize(eye_m.xyz - position_m);
 
-  // What the reflection sends back does not come out of the skin: its share of light from this direction.
-  const float kept = 1.0 - (0.016 + 0.16 * pow(1.0 - max(dot(n, v), 0.0), 3.6));
-  const vec3 diffuse = dermis_scattered(record, uv) * pow(albedo.rgb, vec3(1.0 - mix_before)) * kept;
+  const DermisScattered skin = dermis_scattered(record, uv);
+  const float cosine = dot(n, to_lamp.xyz);
+  const vec3 lit = lamp_irradiance.rgb * (max(cosine, 0.0) * visible_lamp(n) * kept(cosine) / pi);
+  const vec3 diffuse =
+      (skin.light * pow(albedo.rgb, vec3(1.0 - mix_before)) + skin.rest * lit * albedo.rgb) * kept(dot(n, v));
 
   const float slope = 0.85 * albedo.w * albedo.w;  // between dermis's two lobes, 0.75 and 1.3
   colour = vec4(diffuse + lamp_irradiance.rgb * reflected(n, v, to_lamp.xyz, slope), 1.0);

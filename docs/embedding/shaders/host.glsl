@@ -3,7 +3,7 @@
 const float pi = 3.14159265358979;
 
 layout(set = 0, binding = 0) uniform Frame {
-  mat4 clip_from_world;
+  mat4 clip_from_world, shadow_from_world;
   vec4 eye_m;
   vec4 to_lamp;          // of length 1
   vec4 lamp_irradiance;  // on a surface that faces it

@@ -205,15 +205,12 @@ int gaussians_of(const techniques::SkinMesh& part) {
   return static_cast<int>(all_leaves ? 0 : terms.size()) + (has_weight(part.unscattered) ? 1 : 0);
 }
 
-// The light of a host, and the light that it reads, are those of light maps, which hold what has scattered.
+// The light of a host is that of light maps, which hold what has scattered.
 void check_unscattered(const techniques::FrameSettings& plan) {
-  if (!plan.host || !(plan.host_lights() || plan.host->scattered)) return;
+  if (!plan.host_lights()) return;
   for (const techniques::SkinMesh& part : plan.skin)
     if (part.unscattered != gaussians::Rgb{})
-      throw input_error(
-          "",
-          "a profile with a variance of 0 mm^2 goes neither with light that a host draws nor with "
-          "blurred light that it reads");
+      throw input_error("", "a profile with a variance of 0 mm^2 does not go with light that a host draws");
 }
 
 // Ids tell parts apart, and techniques in screen space tell heads and skin meshes apart.

@@ -170,8 +170,8 @@ struct FrameSettings {
   bool host_lights() const { return host && host->irradiance; }
   /// Light maps hold the terms that pixels read (mapped_terms.h), on as few texels as they take
   /// (sides_by_need.h). The rest of the light is lit at the pixel. Light that a host draws is known in the
-  /// maps alone, and a host that reads the blurred light reads all of it there.
-  bool mixes() const { return optimise.depth && !all_mapped && !host_lights() && !(host && host->scattered); }
+  /// maps alone.
+  bool mixes() const { return optimise.depth && !all_mapped && !host_lights(); }
   /// Returns the texels per mm of maps of T that bound the first step of the part's chain of blurs. A
   /// twentieth of its skin exceeds them. T by need suits the mean density. The densest places let taps of the
   /// first step leave texels out there, which saves a step. Its light is off by less than 1 %

@@ -121,19 +121,20 @@ TEST(MappedTerms, FadeBeforeTheyAreLeftOut) {
   EXPECT_EQ(before, (std::array<float, 2>{0, 0}));
 }
 
-TEST(MappedTerms, AreAllWhereMapsAreReadByOthers) {
-  FrameSettings whole = like_the_scan(), drawn_by_host = whole, read_by_host = whole, in_host = whole;
+TEST(MappedTerms, AreAllWhereAHostDrawsTheLight) {
+  FrameSettings whole = like_the_scan(), drawn_by_host = whole, in_host = whole, read_by_host = whole;
   whole.optimise = {.cull = true, .depth = false, .clip = true};
   drawn_by_host.host = HostPart{.irradiance = true};
-  read_by_host.host = HostPart{.scattered = true};
-  for (FrameSettings* s : {&whole, &drawn_by_host, &read_by_host}) {
+  for (FrameSettings* s : {&whole, &drawn_by_host}) {
     s->skin[0].first_mapped = 0;
     EXPECT_EQ(mapped_terms(*s, 0, {.side = 32}), passes::MappedTerms{});
     EXPECT_EQ(mapped_count(*s, 0, {.side = 32}), 6);
   }
-  // Where a host's picture is all there is, it is as in a picture of ours.
+  // Where a host shows the light, or lights the rest itself, they are as in a picture of ours.
   in_host.host = HostPart{.picture = passes::PictureFormat{}};
-  EXPECT_FALSE(mapped_terms(in_host, 0, {.side = 32}).any);
+  read_by_host.host = HostPart{.scattered = true};
+  for (const FrameSettings* s : {&in_host, &read_by_host})
+    EXPECT_FALSE(mapped_terms(*s, 0, {.side = 32}).any);
 }
 
 // Steps of totals 0.01, 0.65, 2.6, 10.4, 41.6, 100 mm^2. A quarter of the texels takes four times the sigma

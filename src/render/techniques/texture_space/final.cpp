@@ -70,9 +70,13 @@ void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, con
                      frame::TextureId sum, const std::vector<passes::MapSquare>& squares) {
   Together<passes::ScatterSum>::In sums;
   for (const passes::MapSquare& square : squares) {
-    const SkinMesh& part = settings.skin[square.mesh];
-    sums.members.push_back(
-        {{read_maps(maps, part), sum}, {.square = square, .weights = weights(part.mapped())}});
+    const SkinOnScreen skin = skin_of(settings, maps, square);
+    sums.members.push_back({{skin.maps, maps.stretch(square.mesh), sum},
+                            {.square = square,
+                             .weights = skin.look.weights,
+                             .sigmas_mm = skin.look.terms.sigmas_mm,
+                             .entered = skin.look.entered,
+                             .mixes = skin.look.mixes}});
   }
   plan.add<Together<passes::ScatterSum>>(maps.name("scatter sum"), sums);
 }

@@ -68,7 +68,7 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
 frame::TextureId make_scattered(passes::FramePlan& plan, const FrameSettings& s, const MapPool& pool) {
   if (!s.host || !s.host->scattered) return {};
   gpu::TextureDesc desc = pool.texture();
-  desc.layers = pool.batches();
+  desc.layers = passes::ScatterSum::layer_of(pool.batches());
   desc.array = true;
   return plan.texture("scattered light", desc, frame::Lifetime::persistent);
 }

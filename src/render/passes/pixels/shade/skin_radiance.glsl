@@ -4,6 +4,7 @@
 // enters at the pixel stands for that of texels. THROUGH: with transmitted light. Needs `io` (ShadeIo).
 #include "render/shaders/skin_answer.glsl"
 #include "render/passes/pixels/shade/along_skin.glsl"
+#include "render/shaders/map_share.glsl"
 #include "render/shared/gutters_io.h"
 #ifdef THROUGH
 #define THROUGH_RAYS (io.through_rays != 0u)
@@ -27,16 +28,6 @@ layout(constant_id = 14) const bool mixed = false;  // true: what it can't hold 
 layout(binding = 31, scalar) uniform Terms { SkinTermsIo terms; };
 #endif
 
-// Returns the part of a term that is read from the map, 0..1. Texels spread light by half their side (box and
-// bilinear tent: a variance of a quarter). So a Gaussian of less than 0.35 texels is nearer to its own width
-// without the map, unless the pixel averages as much. The change is slow enough not to show. Light before any
-// blur (sigma_mm 0) counts a little earlier, which averages more of it; earlier yet, rims that are lit from
-// behind are too bright. uv_per_mm: texture coordinates per mm, here.
-float map_share(float sigma_mm, float uv_per_mm) {
-  const float texels = max(sigma_mm, io.shown_mm) * uv_per_mm * float(io.map_side);
-  if (!mixed) return 1.0;
-  return sigma_mm > 0.0 ? smoothstep(0.35, 0.7, texels) : smoothstep(0.28, 0.56, texels);
-}
 uvec2 map_origin() { return uvec2(io.map_origin & 0xFFFFu, io.map_origin >> 16); }
 
 // Returns the position of an unwrap coordinate in the pool of light maps, texels: in the square of the head,
@@ -79,7 +70,8 @@ bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3
 
 // Returns the part of a term that is read from its map.
 vec3 mapped_weight(int term, OnMap on) {
-  return map_share(terms.sigma_mm[term], on.uv_per_mm) * io.weights[term];
+  if (!mixed) return io.weights[term];
+  return map_share(terms.sigma_mm[term], io.shown_mm, on.uv_per_mm, io.map_side) * io.weights[term];
 }
 
 #include "render/shaders/light_left.glsl"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The blurred light of all terms of one skin mesh, weighted and added, for a host that shades it.
+/// The blurred light of the terms of one skin mesh that are mapped, weighted and added, and the weight of the
+/// rest, for a host that shades it.
 /// Based on: [DLE07] sec. 3.4
 #pragma once
 
@@ -15,18 +16,28 @@ class ScatterSum : public ComputePass {
  public:
   struct Settings {
     MapSquare square;
-    std::vector<std::array<float, 3>> weights;  ///< one per term, 1 to 8
+    std::vector<std::array<float, 3>> weights;  ///< one per term, 1 to 8, as SkinLook has them
+    std::vector<float> sigmas_mm;               ///< likewise
+    bool entered = false;                       ///< likewise
+    bool mixes = false;                         ///< likewise
   } settings;
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, one per term
-    /// RGBA16F array: a layer, as large as the pool, per MapPlace::batch
+    frame::TextureId stretch;
+    /// RGBA16F array as large as the pool: per MapPlace::batch a layer of light and one of the rest
     frame::TextureId sum;
   } in;
   struct Out {
     frame::TextureId sum;
   };
+  /// Returns the layer of the light of a batch; its rest is in the next.
+  static std::uint32_t layer_of(std::uint32_t batch) { return 2 * batch; }
   Out declare(frame::Declare& d);
+  void prepare(gpu::PipelineLibrary& library);
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
+
+ private:
+  gpu::Buffer terms_;
 };
 
 /// Leaves a texture as shaders of the host sample it. Records nothing but what the graph does for it.

@@ -4,14 +4,20 @@
 #include "render/shared/terms.h"
 #include "render/shared/types.h"
 DERMIS_IO_BEGIN
-struct ScatterSumIo {
+struct SummedTermsIo {
   vec3 weights[MOST_TERMS];  // of the profile, narrow to wide
+  float sigma_mm[MOST_TERMS];
+};
+struct ScatterSumIo {
+  float shares[MOST_TERMS];  // MappedTerms::shares; a term without one is not read
   uvec2 origin;              // of the square in the pool, texels
   uint side;                 // T
-  uint layer;                // of the sum
+  uint layer;                // of the light; its rest is in the next
+  float shown_mm;            // MappedTerms::shown_mm
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::ScatterSumIo) == 112);
+static_assert(sizeof(dermis::io::SummedTermsIo) == 128);
+static_assert(sizeof(dermis::io::ScatterSumIo) == 52);
 #endif
 #endif

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Way (iii): the light of the terms that are mapped, and the weight of the rest, as shaders of a host read
+// them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+#include "frame.h"
+#include "gpu/cmd.h"
+#include "gpu/device.h"
+#include "gpu/pipelines.h"
+#include "gpu/support/scenes.h"
+#include "gpu/support/settings.h"
+#include "render/passes/bindings.h"
+
+namespace dermis::test_embedding {
+std::span<const std::uint32_t> find_shader(std::string_view name);
+}
+
+namespace dermis::tests {
+namespace {
+
+using EmbeddedScattered = WithHost;
+
+constexpr std::uint32_t grid = 64;            // points per side, over all texture coordinates
+constexpr double rounding = 2.0 / (1 << 10);  // of two half floats around 1
+
+// As scattered.glsl has it.
+struct Scattered {
+  std::array<float, 3> light, rest;
+};
+
+// Uniform light, and white skin that reflects nothing: where all of the light is there, it leaves as 1. All
+// of the skin is lit, so that all that can be read may be.
+RenderSettings furnace() {
+  RenderSettings s = in_a_furnace(frame_settings());
+  s.lighting.specular = s.quality.cull = s.quality.clip = false;
+  return s;
+}
+
+// A ball in a frame of so many pixels per side, the eye at 0.4 m and the ball further away.
+class Ball {
+ public:
+  explicit Ball(std::uint32_t pixels)
+      : frame_({.options = {.picture = vulkan::PictureTargets{}, .scattered = true},
+                .extent = {pixels, pixels}}) {}
+
+  std::vector<Scattered> read(const RenderSettings& settings, double further_m = 0) {
+    scene_.set_transform(scene_.instances().front(),
+                         {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -further_m, 1});
+    frame_.frames->update(scene_, settings);
+    frame_.draw();
+
+    gpu::Device device(frame_.host.vulkan());
+    gpu::PipelineLibrary library(device, test_embedding::find_shader);
+    const gpu::Pipeline& pipeline = library.compute("read_scattered.comp");
+    const gpu::Texture light("light", {.array = true}, frame_.recorded.scattered);
+    const gpu::Buffer records("records", frame_.recorded.records);
+    std::vector<Scattered> found(std::size_t{grid} * grid);
+    const gpu::Buffer out(
+        device, "found",
+        {.bytes = found.size() * sizeof(Scattered), .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+
+    frame_.host.run([&](VkCommandBuffer commands) {
+      gpu::Cmd cmd(device, commands);
+      passes::Bindings()
+          .add("dermis_light", gpu::SampledBinding{&light, library.sampler({})})
+          .add("DermisRecords",
+               gpu::BufferBinding{&records, frame_.recorded.records_offset, frame_.recorded.records_bytes})
+          .add("Found", out)
+          .bind(cmd, pipeline);
+      cmd.push(pipeline, std::array{frame_.frames->record_of(scene_.instances().front()), grid});
+      cmd.dispatch_over(pipeline, grid, grid);
+    });
+    const std::vector<std::byte> bytes = gpu::read_back(device, out);
+    std::memcpy(found.data(), bytes.data(), bytes.size());
+    return found;
+  }
+
+ private:
+  Frame frame_;
+  Scene scene_ = sphere(0.07);
+};
+
+// Expects that all light is there, and returns the mean of the rest of red, and the least.
+struct Rest {
+  double mean = 0, least = 1;
+};
+Rest rest_of(const std::vector<Scattered>& found) {
+  Rest rest;
+  for (const Scattered& at : found) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_NEAR(at.light[c] + at.rest[c], 1, rounding);
+      EXPECT_GE(at.rest[c], -rounding);
+    }
+    rest.mean += double{at.rest[0]} / static_cast<double>(found.size());
+    rest.least = std::min(rest.least, double{at.rest[0]});
+  }
+  return rest;
+}
+
+TEST_F(EmbeddedScattered, LightAndRestAreAllLightAtEachDistance) {
+  Ball ball(384);  // pixels of half a millimetre
+  const double near = rest_of(ball.read(furnace())).least, middle = rest_of(ball.read(furnace(), 0.8)).least;
+  const Rest far = rest_of(ball.read(furnace(), 40));
+  std::printf("least rest of red: %.3f near, %.3f at three times the distance, %.3f far away\n", near, middle,
+              far.least);
+  // Near, the two widest terms are mapped, which are 44 % of red; then half of what enters for the others.
+  EXPECT_NEAR(near, 0.56, 0.05);
+  EXPECT_LT(middle, near - 0.1);
+  EXPECT_GT(middle, 0.2);
+  EXPECT_EQ(far.least, 1) << "a pixel shows more than any term spreads";
+}
+
+// Also away from the skin, where the mean counts texels without any.
+TEST_F(EmbeddedScattered, ThereIsNoRestWhereAllTermsAreMapped) {
+  RenderSettings settings = furnace();
+  settings.quality.depth = false;
+  EXPECT_NEAR(rest_of(Ball(side).read(settings)).least, 0, rounding);
+}
+
+TEST_F(EmbeddedScattered, LightThatLeavesWhereItEnteredIsRest) {
+  const Rest rest = rest_of(Ball(384).read(
+      with_profile(furnace(), "half",
+                   {{.variance_mm2 = 0, .weight = {1, 1, 1}}, {.variance_mm2 = 4, .weight = {1, 1, 1}}})));
+  EXPECT_NEAR(rest.least, 0.5, rounding);
+}
+
+// A head that is hidden, or outside of the picture, is the host's alone.
+TEST_F(EmbeddedScattered, AllIsRestWhereAHeadIsNotLit) {
+  for (const Scattered& at : Ball(side).read(furnace(), -2)) {
+    EXPECT_EQ(at.light, (std::array<float, 3>{0, 0, 0}));
+    EXPECT_EQ(at.rest, (std::array<float, 3>{1, 1, 1}));
+  }
+}
+
+}  // namespace
+}  // namespace dermis::tests
