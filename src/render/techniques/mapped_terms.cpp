@@ -13,15 +13,13 @@ namespace dermis::techniques {
 namespace {
 
 // Sigma, in texels at the mean density, below which a term is lit at the pixel everywhere, also where skin is
-// denser: as map_share() of skin_radiance.glsl has it.
+// denser: as map_share.glsl has it.
 constexpr double mapped_sigma_texels = 0.35;
 
 // Sigma, in pixels, by which a pixel averages light: as a map holds a term of some sigma, it holds light that
-// is not blurred where pixels are that coarse.
+// is not blurred where pixels are that coarse. From 0.2 texels on in place of mapped_sigma_texels, pictures
+// at their size had 1 to 4 % less error, and super-sampled ones 3 to 21 % more.
 constexpr double pixel_sigma = 0.5;
-// That sigma, in texels, from which pixels may read such light: map_share() of skin_radiance.glsl says how
-// much.
-constexpr double entered_sigma_texels = 0.2;
 // The rest stays lit at the pixel, where rims that are lit from behind are dark as they should be. The mean
 // of both is nearer to the truth than either.
 constexpr double most_entered_share = 0.5;
@@ -54,7 +52,7 @@ double least_sigma_pixels(const SkinMesh& part, double sigma_mm) {
 
 float entered_share(const SkinMesh& part, const MapDetail& detail) {
   const double sigma_texels = pixel_sigma / detail.pixels_per_mm * part.mean_uv_per_mm * detail.side;
-  const double most = smoothstep(entered_sigma_texels, 1.5 * entered_sigma_texels, sigma_texels);
+  const double most = smoothstep(mapped_sigma_texels, 1.5 * mapped_sigma_texels, sigma_texels);
   return static_cast<float>(most_entered_share * most);
 }
 
