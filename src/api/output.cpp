@@ -149,7 +149,7 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.height = settings.output.height;
   st.map_size = settings.quality.map_size;
   st.heads = static_cast<int>(setup.heads.size());
-  st.lights = setup.lights;
+  st.lights = static_cast<int>(setup.lights.size());
   st.environment_lights = setup.environment_lights;
   st.gaussians = setup.gaussians;
   st.distance = settings.camera.distance;

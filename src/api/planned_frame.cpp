@@ -21,7 +21,7 @@ void check_layers(const Scene& scene, const setup::FrameSetup& setup, const gpu:
     throw input_error(scene.name(),
                       "{} lights need {} shadow maps for {} heads at a time, this device has at most {}; "
                       "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
-                      setup.lights, layers, setup.plan.shadow_sets(), limits.max_array_layers,
+                      setup.lights.size(), layers, setup.plan.shadow_sets(), limits.max_array_layers,
                       setup.environment_lights);
 }
 
@@ -118,14 +118,12 @@ void PlannedFrame::set_view(const CameraMatrices& camera, const VkRect2D& area) 
   settings.output.height = static_cast<int>(area.extent.height);
   check_device_limits(settings, device().limits());
 
-  setup::FrameSetup next = set_up(input_, settings);
+  setup::FrameSetup next = setup_;
+  setup::set_view(next, input_.placed, input_.subjects, settings, *input_.host);
   const std::optional<passes::PictureFormat>& picture = next.plan.host->picture;
   if (picture && setup::is_reversed(camera) != picture->reversed_depth)
     throw input_error("", "view.camera has depth that {} with the distance; picture.reversed_depth is {}",
                       picture->reversed_depth ? "grows" : "falls", picture->reversed_depth);
-  if (next.plan != setup_.plan || next.technique != setup_.technique)
-    throw input_error("", "this view needs what update() has not made; call it again");
-  if (environment_) setup::fill_environment(next.frame, *environment_, settings);
   next.frame.picture_low = {area.offset.x, area.offset.y};
   setup_ = std::move(next);
 }

@@ -106,44 +106,60 @@ std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s
   return heads;
 }
 
-void set_up_heads(std::vector<Head>& heads, const PlacedScene& scene,
-                  std::span<const Subject* const> subjects, const RenderSettings& s,
-                  const scene::Camera& camera, const io::CameraIo& frame_camera,
-                  const std::vector<scene::Light>& lights, const HostSetup* host) {
+// Fits the shadow maps of a head, which are as large as it shows.
+void set_up_shadows(Head& head, const std::vector<scene::Light>& lights, const passes::ShadowBounds& bounds,
+                    const RenderSettings& s, const scene::Camera& camera, const HostSetup* host) {
+  head.shadow_side = shadow_side(bounds, s, camera);
+  head.lights.clear();
+  head.shadow_from_world.clear();
+  head.host_shadows.clear();
+
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const HostShadow* of_host = host_shadow(host, i);
+    const int side = of_host ? s.quality.shadow_size : static_cast<int>(head.shadow_side);
+    const passes::ShadowFit fit =
+        of_host
+            ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
+            : passes::fit_shadow(lights[i], bounds, side);
+    if (of_host) {
+      head.host_shadows.resize(head.shadow_from_world.size());
+      head.host_shadows.push_back({of_host->depth, of_host->reversed});
+    }
+    head.lights.push_back(light_io(lights[i], fit, side, head.shadow_from_world.size()));
+    head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
+                                  fit.shadow_from_world.end());
+  }
+}
+
+// Decides all that follows from the camera: how large each head shows, and whether at all.
+void set_up_camera(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
+                   const RenderSettings& s, const HostSetup* host) {
+  const scene::Camera camera = choose_camera(scene, s, head_spheres(scene, s));
+  io::CameraIo& frame = setup.frame.camera;
+  frame = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
+  if (s.camera.matrices)
+    frame.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
+                                 : picture_from_world(*s.camera.matrices, camera);
+  setup.frame.picture_size = glm::uvec2(s.output.width, s.output.height);
+  setup.d_ref = reference_distance(*subjects.front(), s, camera);
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
-  for (Head& head : heads) {
+  for (Head& head : setup.heads) {
     const Subject& subject = *subjects[head.instance];
     const PosedAsset* posed = scene.instances[head.instance].posed.get();
     head.middle_m = head.world_from_asset.position((posed ? posed->skin : subject.bounds).sphere.centre_m);
     const Casters casters(subject, posed, head.world_from_asset, is_deformed(host, head));
-    head.shadow_side = shadow_side(casters.bounds(), s, camera);
-
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      const HostShadow* of_host = host_shadow(host, i);
-      const int side = of_host ? s.quality.shadow_size : static_cast<int>(head.shadow_side);
-      const passes::ShadowFit fit =
-          of_host
-              ? passes::ShadowFit{.shadow_from_world = {of_host->shadow_from_world}, .texel = of_host->texel}
-              : passes::fit_shadow(lights[i], casters.bounds(), side);
-      if (of_host) {
-        head.host_shadows.resize(head.shadow_from_world.size());
-        head.host_shadows.push_back({of_host->depth, of_host->reversed});
-      }
-      head.lights.push_back(light_io(lights[i], fit, side, head.shadow_from_world.size()));
-      head.shadow_from_world.insert(head.shadow_from_world.end(), fit.shadow_from_world.begin(),
-                                    fit.shadow_from_world.end());
-    }
+    set_up_shadows(head, setup.lights, casters.bounds(), s, camera, host);
 
     if (!subject.skin.empty())
       head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, head.world_from_asset, posed);
     head.visible = scene.instances[head.instance].visible &&
-                   (!skip || in_view(subject, frame_camera, head.world_from_asset, posed));
+                   (!skip || in_view(subject, frame, head.world_from_asset, posed));
     // A host may move vertices anywhere.
-    const glm::uvec2 size(s.output.width, s.output.height);
-    if (head.visible)
-      head.area = is_deformed(host, head) ? passes::PixelArea{glm::uvec2(0), size}
-                                          : area_of(casters.bounds(), frame_camera, size);
+    const glm::uvec2 size = setup.frame.picture_size;
+    head.area = !head.visible             ? passes::PixelArea{}
+                : is_deformed(host, head) ? passes::PixelArea{glm::uvec2(0), size}
+                                          : area_of(casters.bounds(), frame, size);
   }
 }
 
@@ -164,10 +180,10 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
   const auto distance = [&](const Head& head) {
     return glm::distance(head.middle_m, setup.frame.camera.eye_m);
   };
-  std::stable_sort(setup.heads.begin(), setup.heads.end(), [&](const Head& a, const Head& b) {
+  std::sort(setup.heads.begin(), setup.heads.end(), [&](const Head& a, const Head& b) {
     if (by_model && a.model != b.model) return a.model < b.model;
     if (!shows_picture && shows(a) != shows(b)) return shows(b);
-    return distance(a) > distance(b);
+    return std::pair(-distance(a), a.number) < std::pair(-distance(b), b.number);
   });
 
   setup.plan.heads.clear();
@@ -239,8 +255,7 @@ void check_published(const FrameSetup& setup) {
 }
 
 void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
-                 const RenderSettings& s, const std::vector<scene::Light>& lights, const DeviceTraits& device,
-                 bool every_view) {
+                 const RenderSettings& s, const DeviceTraits& device, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
 
   plan.width = static_cast<std::uint32_t>(s.output.width);
@@ -259,8 +274,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
   plan.behind = background_of(s.output.background);
   plan.visibility = s.output.show == "visibility";
   plan.irradiance = s.output.show == "irradiance";
-  plan.soft_shadows =
-      std::any_of(lights.begin(), lights.end(), [](const scene::Light& light) { return light.radius > 0; });
+  plan.soft_shadows = std::any_of(setup.lights.begin(), setup.lights.end(),
+                                  [](const scene::Light& light) { return light.radius > 0; });
 
   if (plan.host) {
     plan.width = std::max(plan.host->width, 1u);
@@ -278,7 +293,8 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
   set_up_map_sides(setup, subjects, s, every_view);
 
   if (setup.technique->uses_profile) {
-    plan.translucency = s.skin.translucency && !plan.skin.empty() && setup.lights > 0 && !plan.host_lights();
+    plan.translucency =
+        s.skin.translucency && !plan.skin.empty() && !setup.lights.empty() && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
                                   [&](const PlacedAsset& instance) { return all_enters(instance, s); });
   }
@@ -353,22 +369,14 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   DERMIS_ASSERT_EQ(subjects.size(), scene.instances.size());
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
-  const HeadSpheres spheres = head_spheres(scene, s);
   setup.heads = placed_heads(scene, s);
+  setup.lights = choose_lights(scene, s, head_spheres(scene, s));
+  if (environment_lights) {
+    setup.lights.insert(setup.lights.end(), environment_lights->begin(), environment_lights->end());
+    setup.environment_lights = static_cast<int>(environment_lights->size());
+  }
 
-  const scene::Camera camera = choose_camera(scene, s, spheres);
-  setup.frame.camera = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
-  if (s.camera.matrices)
-    setup.frame.camera.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
-                                              : picture_from_world(*s.camera.matrices, camera);
-  setup.d_ref = reference_distance(*subjects.front(), s, camera);
-
-  std::vector<scene::Light> lights = choose_lights(scene, s, spheres);
-  if (environment_lights) lights.insert(lights.end(), environment_lights->begin(), environment_lights->end());
-  setup.lights = static_cast<int>(lights.size());
-  setup.environment_lights = environment_lights ? static_cast<int>(environment_lights->size()) : 0;
-
-  set_up_heads(setup.heads, scene, subjects, s, camera, setup.frame.camera, lights, host);
+  set_up_camera(setup, scene, subjects, s, host);
   set_up_models(setup, scene, subjects, s);
   if (host) {
     setup.plan.host = host->part;
@@ -379,7 +387,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const PlacedAsset& instance) { return instance.posed != nullptr; });
   setup.plan.environment = environment_lights.has_value();
-  set_up_plan(setup, scene, subjects, s, lights, device, every_view);
+  set_up_plan(setup, scene, subjects, s, device, every_view);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
   setup.plan.keep_shadows = s.quality.keep_shadows && s.output.show == "picture" &&
@@ -390,14 +398,21 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;
-  frame.picture_size = glm::uvec2(s.output.width, s.output.height);
   frame.clip_margin_m = static_cast<float>(clip_margin_m(setup, s));
   frame.radiance_scale = static_cast<float>(std::exp2(s.output.exposure_ev.value_or(0)));
   frame.ambient = glm::vec3(static_cast<float>(s.lighting.ambient));
-  frame.light_count = static_cast<std::uint32_t>(lights.size());
+  frame.light_count = static_cast<std::uint32_t>(setup.lights.size());
   frame.specular_on = s.lighting.specular ? 1 : 0;
   frame.white_albedo = s.lighting.white_albedo ? 1 : 0;
   return setup;
+}
+
+void set_view(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
+              const RenderSettings& s, const HostSetup& host) {
+  set_up_camera(setup, scene, subjects, s, &host);
+  set_head_sides(setup, subjects, s);
+  sort_heads(setup, s);
+  place_shadows(setup.heads, setup.plan);
 }
 
 }  // namespace dermis::setup

@@ -51,8 +51,9 @@ struct FrameSetup {
   std::vector<MeshSource> meshes;  ///< one for each of FrameSettings::skin
   io::FrameIo frame{};
   double d_ref = 0;  ///< see reference_distance()
-  int lights = 0, gaussians = 0;
-  int environment_lights = 0;  ///< those of the lights that an environment brings
+  int gaussians = 0;
+  std::vector<scene::Light> lights;
+  int environment_lights = 0;  ///< the last of the lights, which an environment brings
 };
 
 /// Returns a head of each model for each size of map that one may have, large to small.
@@ -99,6 +100,11 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
                   const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::optional<std::vector<scene::Light>>& environment_lights = {},
                   const HostSetup* host = nullptr, bool every_view = true);
+
+/// Takes a setup with a `host` and `every_view`, and all that it was made from, to the camera and the size of
+/// the picture that `settings` have. The plan serves all of these. Throws InputError, half way: no camera.
+void set_view(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
+              const RenderSettings& settings, const HostSetup& host);
 
 /// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel. The line says
 /// which mesh has fewest, how many, what that means and what helps.

@@ -74,10 +74,8 @@ std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, cons
   return {sides.begin(), sides.end()};
 }
 
-void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s,
-                      bool every_view) {
-  techniques::FrameSettings& plan = setup.plan;
-  plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+void set_head_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s) {
+  const techniques::FrameSettings& plan = setup.plan;
   if (plan.skin.empty() || !setup.technique->has_light_maps) return;
 
   for (Head& head : setup.heads) {
@@ -85,13 +83,19 @@ void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subject
     const techniques::Model& model = plan.models[head.model];
     // The plan of a host must serve every view: it has no close-ups.
     if (plan.host) detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
-    detail.side = plan.map_size;
+    detail.side = model.meshes > 0 ? plan.map_size_of(plan.skin[model.first_mesh]) : plan.map_size;
     if (plan.mixes())
-      detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, plan.map_size);
+      detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, detail.side);
     else if (plan.optimise.depth && !subjects[head.instance]->skin.empty())
       detail.side = static_cast<std::uint32_t>(paper_side(*subjects[head.instance], s, detail.pixels_per_mm));
   }
-  if (plan.mixes()) hold_what_shows(setup, every_view);
+}
+
+void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s,
+                      bool every_view) {
+  setup.plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+  set_head_sides(setup, subjects, s);
+  if (!setup.plan.skin.empty() && setup.plan.mixes()) hold_what_shows(setup, every_view);
 }
 
 }  // namespace dermis::setup

@@ -180,7 +180,11 @@ struct FrameSettings {
     return part.max_texels_per_mm(side) / (mixes() ? 1.5 : 1);
   }
   double chain_texels_per_mm(const SkinMesh& part) const {
-    return chain_texels_per_mm(part, part.map_size > 0 ? part.map_size : map_size);  // of T_max
+    return chain_texels_per_mm(part, map_size_of(part));
+  }
+  /// Returns T_max of the heads that have this mesh.
+  std::uint32_t map_size_of(const SkinMesh& part) const {
+    return part.map_size > 0 ? part.map_size : map_size;
   }
   bool has_skin() const { return parts() > 0; }
   passes::PictureFormat picture_format() const {
