@@ -12,7 +12,7 @@
 #include "render/passes/frame_data.h"
 #include "render/setup/frame_setup.h"
 #include "render/setup/placed_scene.h"
-#include "render/shared/head_io.h"
+#include "render/shared/scene_io.h"
 
 namespace dermis::api {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "gpu/formats.h"
-#include "render/shared/head_io.h"
+#include "render/shared/scene_io.h"
 #include "render/techniques/mapped_terms.h"
 
 namespace dermis::setup {

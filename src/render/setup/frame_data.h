@@ -8,7 +8,7 @@
 #include "render/passes/frame_data.h"
 #include "render/setup/environment_light.h"
 #include "render/setup/frame_setup.h"
-#include "render/shared/head_io.h"
+#include "render/shared/scene_io.h"
 
 namespace dermis::setup {
 

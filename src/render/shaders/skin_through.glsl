@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // As skin_lights.glsl, and transmitted light that arrives at the point: one read of each light's map for all.
 // Follows skin_lights.glsl.
-#include "render/shared/transmission_io.h"
+#include "render/shared/terms_io.h"
 layout(binding = 23) uniform sampler2DArray entering_maps;
 #ifndef TRANSMISSION  // a pass may have it elsewhere
 layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };

@@ -121,6 +121,18 @@ struct FrameIo {
   vec3 environment_irradiance[9];          // environment::Irradiance times the intensity
 };
 
+// Place of an instance of an asset in the world: turned, scaled, then moved.
+struct InstanceIo {
+  vec3 x_axis, y_axis, z_axis;  // unit: images of the asset's axes
+  vec3 origin_m;                // image of its origin
+  float scale;                  // > 0
+};
+// Data that differ from head to head, in one buffer: devices may have no more than 32 bindings.
+struct HeadIo {
+  InstanceIo instance;
+  LampsIo lamps;
+};
+
 DERMIS_IO_END
 
 #ifdef __cplusplus
@@ -129,5 +141,6 @@ static_assert(sizeof(dermis::io::VertexExtraIo) == 8 * 4);
 static_assert(sizeof(dermis::io::SkinVertexIo) == 8 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
 static_assert(sizeof(dermis::io::LightIo) == 20 * 4);
+static_assert(sizeof(dermis::io::InstanceIo) == 13 * 4);
 #endif
 #endif

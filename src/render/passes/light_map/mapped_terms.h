@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "render/shared/terms.h"
+#include "render/shared/terms_io.h"
 
 namespace dermis::passes {
 

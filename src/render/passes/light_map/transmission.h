@@ -18,7 +18,7 @@
 
 #include "frame/resources.h"
 #include "render/passes/bindings.h"
-#include "render/shared/transmission_io.h"
+#include "render/shared/terms_io.h"
 #include "tissue/gaussians/sum.h"
 
 namespace dermis::passes {

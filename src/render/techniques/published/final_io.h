@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PUBLISHED_FINAL_IO_H
 #define DERMIS_PUBLISHED_FINAL_IO_H
-#include "render/shared/terms.h"
+#include "render/shared/terms_io.h"
 #include "render/shared/types.h"
 DERMIS_IO_BEGIN
 struct PaperFinalIo {

@@ -6,7 +6,7 @@
 
 #include "gpu/pipelines.h"
 #include "render/passes/frame_data.h"
-#include "render/shared/head_io.h"
+#include "render/shared/scene_io.h"
 
 namespace dermis::passes {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PASSES_LABELS_IO_H
 #define DERMIS_PASSES_LABELS_IO_H
-#include "render/shared/head_io.h"
+#include "render/shared/scene_io.h"
 #include "render/shared/types.h"
 DERMIS_IO_BEGIN
 struct LabelsIo {

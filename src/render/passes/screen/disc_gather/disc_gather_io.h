@@ -2,7 +2,7 @@
 #ifndef DERMIS_PASSES_DISC_GATHER_IO_H
 #define DERMIS_PASSES_DISC_GATHER_IO_H
 #include "render/passes/screen/screen_surface_io.h"
-#include "render/shared/terms.h"
+#include "render/shared/terms_io.h"
 // Radii that hold a share x of the light, evenly in sqrt(-ln(1 - x)) from 0 to DISC_MOST_SHARE, per mesh.
 #define DISC_RADII 256
 #define DISC_MOST_SHARE 3.1

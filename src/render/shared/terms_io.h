@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#ifndef DERMIS_SHARED_TRANSMISSION_IO_H
-#define DERMIS_SHARED_TRANSMISSION_IO_H
-#include "render/shared/terms.h"
+// The terms of a profile, and the light that comes through the body to them.
+#ifndef DERMIS_SHARED_TERMS_IO_H
+#define DERMIS_SHARED_TERMS_IO_H
 #include "render/shared/types.h"
+#define MOST_TERMS 8  // Gaussians of a profile
 DERMIS_IO_BEGIN
 #define TRANSMISSION_GROUPS 3  // of terms that share a map of transmitted light, at most
 #define TRANSMISSION_GAINS 24  // at thicknesses that rise as the square of their number
