@@ -219,8 +219,8 @@ struct HostInputs {
   std::vector<LightShadow> shadows{};
   /// Draws irradiance in place of the scene's lights, while record() runs; may be called several times, each
   /// time for other heads. Light through the body is off then; reflections stay those of the scene's lights.
-  /// That light is known in texels alone, so maps have quality.map_size texels per side and hold all terms,
-  /// however far a head is. With way (iii) there is no rest then.
+  /// That light is known in texels alone, so maps hold all terms, however far a head is, and a texel for each
+  /// pixel up to quality.map_size. With way (iii) there is no rest then.
   std::function<void(VkCommandBuffer, const IrradianceTarget&)> draw_irradiance{};
 };
 

@@ -135,10 +135,10 @@ void set_up_shadows(Head& head, const std::vector<scene::Light>& lights, const p
 void set_up_camera(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
                    const RenderSettings& s, const HostSetup* host) {
   const scene::Camera camera = choose_camera(scene, s, head_spheres(scene, s));
-  io::CameraIo& frame = setup.frame.camera;
-  frame = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
+  io::CameraIo& seen_by = setup.frame.camera;
+  seen_by = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
   if (s.camera.matrices)
-    frame.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
+    seen_by.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
                                  : picture_from_world(*s.camera.matrices, camera);
   setup.frame.picture_size = glm::uvec2(s.output.width, s.output.height);
   setup.d_ref = reference_distance(*subjects.front(), s, camera);
@@ -154,12 +154,12 @@ void set_up_camera(FrameSetup& setup, const PlacedScene& scene, std::span<const 
     if (!subject.skin.empty())
       head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, head.world_from_asset, posed);
     head.visible = scene.instances[head.instance].visible &&
-                   (!skip || in_view(subject, frame, head.world_from_asset, posed));
+                   (!skip || in_view(subject, seen_by, head.world_from_asset, posed));
     // A host may move vertices anywhere.
     const glm::uvec2 size = setup.frame.picture_size;
     head.area = !head.visible             ? passes::PixelArea{}
                 : is_deformed(host, head) ? passes::PixelArea{glm::uvec2(0), size}
-                                          : area_of(casters.bounds(), frame, size);
+                                          : area_of(casters.bounds(), seen_by, size);
   }
 }
 

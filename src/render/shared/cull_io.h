@@ -6,7 +6,7 @@ DERMIS_IO_BEGIN
 // Decides, with the camera, which triangles of a head its light maps leave out: see render/shaders/cull.glsl.
 struct CullIo {
   uint can_cull;   // 0: both sides of this material are visible
-  float map_side;  // of its light maps, texels
+  float map_side;  // T, texels, for technique `published`
 };
 DERMIS_IO_END
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// The place where the skin of a head is lit and blurred: a square in a pool of textures that all heads of a
-///   batch share.
+/// batch share.
 /// Based on: [JG08] sec. 4: memory is allocated once for the largest map; a smaller one uses a corner of it
 #pragma once
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// Transmitted light, as it joins the light that spreads over the surface.
 ///
-/// A slab of thickness d, lit on its far side with B(y), shows sum_i w_i exp(-d^2 / 2 v_i) (G(v_i) * B):
-///   every term of the profile has
-/// light of its own, T_i = exp(-d^2 / 2 v_i) B summed over the lights. The convolution is a chain, narrow to
-///   wide, so T_i needs no blur
-/// of its own: the excess of T_i over T_(i-1) joins the chain before the step to term i. Terms form at most
-///   three groups: the light of a
-/// group is the mean of its terms', by their weights, so that sum_i w_i T_i is exact for any groups; only
-///   widths are shared. The first
-/// group joins in the irradiance map itself, so three groups need two more maps.
+/// A slab of thickness d, lit on its far side with B(y), shows sum_i w_i exp(-d^2 / 2 v_i) (G(v_i) * B). So
+/// every term of the profile has light of its own, T_i = exp(-d^2 / 2 v_i) B summed over the lights.
+///
+/// The convolution is a chain, narrow to wide, so T_i needs no blur of its own. The excess of T_i over
+/// T_(i-1) joins the chain before the step to term i. Terms form at most three groups. The light of a group
+/// is the mean of its terms', by their weights: sum_i w_i T_i is exact for any groups, only widths are
+/// shared. The first group joins in the irradiance map itself, so three groups need two more maps.
 #pragma once
 
 #include <cstdint>

@@ -244,8 +244,8 @@ ShadowFit cube(const glm::vec3& position_m, const scene::BoundingSphere& sphere,
 
 }  // namespace
 
-ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size) {
-  const float size = static_cast<float>(map_size), margin = margin_of(size);
+ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int side) {
+  const float size = static_cast<float>(side), margin = margin_of(size);
   if (light.type == LightType::directional) {
     const Window w = directional_window(light.direction, bounds, size);
     const float half_m = w.half * margin;

@@ -28,9 +28,9 @@ struct ShadowBounds {
 };
 
 /// Returns one layer that holds what casts a shadow, as tight as corners or sphere say, for a light outside
-/// the sphere; six layers for a light inside. map_size in texels. A body that moves has its texels where
-/// those of its rest lie, with sides by steps of 4.4 %. From frame to frame the map shifts by whole texels,
-/// and seldom changes its size, so that edges of shadows do not crawl.
-ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int map_size);
+/// the sphere; six layers for a light inside. side: of the map, texels. A body that moves has its texels
+/// where those of its rest lie, with sides by steps of 4.4 %. From frame to frame the map shifts by whole
+/// texels, and seldom changes its size, so that edges of shadows do not crawl.
+ShadowFit fit_shadow(const scene::Light& light, const ShadowBounds& bounds, int side);
 
 }  // namespace dermis::passes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Depth of heads as each light sees them: one layer per head and light, six for a point light inside the
-///   scene. Reversed depth, 0 where there is nothing. Also stores the light that enters there, for
-///   translucent shadow maps.
+/// scene. Reversed depth, 0 where there is nothing. Also stores the light that enters there, for translucent
+/// shadow maps.
 /// Based on: [SD03] Dachsbacher, Stamminger: Translucent Shadow Maps, 2003
 #pragma once
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Lights the texels of heads' light maps: the light that enters the skin there.
 /// Based on: [DLE07] sec. 3.2; [BL03] Borshukov, Lewis: Realistic Human Face Rendering for "The Matrix
-///   Reloaded", 2003.
-/// Texels that are not shaded: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3
-/// (cull), 4
-///   (the used square), 5 (clip)
+/// Reloaded", 2003. Texels that are not shaded: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin,
+/// CEIG 2008, sec. 3 (cull), 4 (the used square), 5 (clip)
 #pragma once
 
 #include <array>

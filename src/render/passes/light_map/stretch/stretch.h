@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// The metric of the unwrap in texture space: the extent of a millimetre of skin in texture coordinates.
-/// Based on: [DLE07] GPU Gems 3, ch. 14.4.2 (stretch map); two lengths there, here the whole metric, because
-///   real unwraps
-/// are sheared
+/// Based on: [DLE07] GPU Gems 3, ch. 14.4.2 (stretch map). It has two lengths; here it is the whole metric,
+/// because real unwraps are sheared.
 #pragma once
 
 #include "frame/graph.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Finds the tiles of light maps that a frame lights and blurs: SeenTiles, then Tiles.
-/// Based on: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 and 5; departures:
-///   README.md
+/// Based on: [JG08] Jimenez, Gutierrez: Faster Rendering of Human Skin, CEIG 2008, sec. 3 and 5. Departures:
+/// README.md
 #pragma once
 
 #include <vector>

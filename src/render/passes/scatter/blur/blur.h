@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Blurs the light stored on the skin by one Gaussian of the profile, one axis per pass.
-/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the previous one). Departures: the first may
-/// both
-///   be from the light; kernels.h, blur.comp
+/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the previous one). Departures: the first two may
+/// both start from the light; kernels.h, blur.comp
 #pragma once
 
 #include <cstdint>
