@@ -10,8 +10,9 @@
 //   const DermisScattered skin = dermis_scattered(record, uv);
 //   vec3 diffuse = skin.light * pow(albedo, vec3(1.0 - mix_before)) + skin.rest * lit * albedo;
 //
-// lit: irradiance of the host's lights at the pixel, with their shadows, times 2^exposure_ev / pi. Light that
-// is reflected does not enter: see below.
+// lit: irradiance at the pixel, times 2^exposure_ev / pi: of lamps with their shadows, and of surroundings.
+// Light that is reflected does not enter: see below. Light through the body comes with the terms on maps
+// alone, so far ears lose their glow; quality.depth false keeps it.
 // record: HostFrames::record_of(); uv: TEXCOORD_0 of the asset as it is, interpolated `centroid` where there
 // are several samples per pixel. The host adds reflections, and takes from the diffuse light what these keep:
 // 1 minus the directional albedo of the specular. dermis's own: 0.18 pi times Beckmann's lobe with Schlick's
@@ -27,6 +28,7 @@ struct DermisRecord {
   float side;                // of the square, texels
   uint layer;                // of the light; the weight of the rest is in the next
   uint lit;                  // 0: nothing is read from maps; outside the picture, hidden, or far away
+  float unlit_rest;          // the rest where nothing is read: 0 if the light is HostInputs::draw_irradiance
 };
 
 layout(set = DERMIS_SET, binding = DERMIS_LIGHT_BINDING) uniform sampler2DArray dermis_light;
@@ -40,20 +42,20 @@ vec2 dermis_map_position(uint record, vec2 uv) {
   return uv * r.uv_scale + r.uv_offset;
 }
 
-// The light of the terms of the profile that light maps hold, and the weight of the others. A pixel cannot
-// tell narrow ones from light that leaves where it entered.
+// The light of the terms of the profile that light maps hold, and the weight of the others. These are narrow:
+// save in close-ups, pixels cannot tell them from light that leaves where it entered.
 struct DermisScattered {
   // What leaves white skin, times 2^exposure_ev: radiance, linear Rec.709, with the part of the albedo that
   // acts before the light spreads.
   vec3 light;
-  vec3 rest;  // per channel; 1 where the head is not lit in this frame, or so far away that no term is mapped
+  vec3 rest;  // per channel; unlit_rest where the head is not lit, or so far away that no term is mapped
 };
 
 // Returns those at texture coordinates of a head. Bilinear among the texels that hold skin; a texel beside an
 // open border counts only if there is nothing else.
 DermisScattered dermis_scattered(uint record, vec2 uv) {
   const DermisRecord r = dermis_records[record];
-  const DermisScattered none = DermisScattered(vec3(0.0), vec3(1.0));
+  const DermisScattered none = DermisScattered(vec3(0.0), vec3(r.unlit_rest));
   if (r.lit == 0u) return none;
 
   const float margin = 0.5 + 1.0 / 256.0;

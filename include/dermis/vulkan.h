@@ -219,14 +219,14 @@ struct HostInputs {
   std::vector<LightShadow> shadows{};
   /// Draws irradiance in place of the scene's lights, while record() runs; may be called several times, each
   /// time for other heads. Light through the body is off then; reflections stay those of the scene's lights.
-  /// That light is known in texels alone, so maps hold all terms, however far a head is, and a texel for each
-  /// pixel up to quality.map_size. With way (iii) there is no rest then.
+  /// That light is known in texels alone. So maps hold all terms, however far a head is, and have a texel for
+  /// each pixel, up to quality.map_size. With way (iii) the rest is 0 then.
   std::function<void(VkCommandBuffer, const IrradianceTarget&)> draw_irradiance{};
 };
 
 /// Results of record(), for the commands that follow in this frame.
 struct Recorded {
-  // With Options::scattered: see dermis/scattered.glsl.
+  // With Options::scattered: see dermis/scattered.glsl. Null if the scene has no skin.
   VkImageView scattered = VK_NULL_HANDLE;  ///< 2D array, RGBA16F, SHADER_READ_ONLY_OPTIMAL
   VkBuffer records = VK_NULL_HANDLE;       ///< storage buffer
   /// The offset is a multiple of minStorageBufferOffsetAlignment. View, buffer and offset may be others in
@@ -243,8 +243,9 @@ class HostFrames {
     std::uint32_t frames_in_flight = 2;
     std::optional<PictureTargets> picture{};  ///< way (i)
     std::vector<DepthTargets> depths{};       ///< way (ii)
-    /// Way (iii); needs a technique with light maps. They hold the terms that pixels of the view tell from
-    /// light that leaves where it entered; the others are the host's. quality.depth false: they hold all.
+    /// Way (iii); needs a technique with light maps. They hold the wide terms that pixels of the view tell
+    /// from light that leaves where it entered; the others are the host's, in close-ups too. quality.depth
+    /// false: they hold all.
     bool scattered = false;
   };
 
@@ -276,7 +277,7 @@ class HostFrames {
   /// mode of the command buffer are undefined, graphics and compute; all other state is as before.
   ///
   /// Throws InputError, and records nothing: null, a matrix that is not a camera, numbers that run back, more
-  /// frames than may be in flight. Also a view for which update() has not made room; the message says so.
+  /// frames than may be in flight, a view larger than PictureTargets::largest.
   Recorded record(VkCommandBuffer commands, std::span<const View> views, const FrameNumbers& numbers);
 
   /// Draws the depth of the heads that the scene of the last update() shows, skin and all other opaque parts,

@@ -35,7 +35,6 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
   frame.pause();
   scene = wanted;
   inputs = wanted_inputs;
-  if (options.scattered || inputs.draw_irradiance) api::check_unwraps(frame.scene().subjects());
   records = api::HostRecords(frame.scene().subjects());
   ids = scene.instances();
   move.keep(frame.scene(), ids, inputs.deformed);
@@ -156,7 +155,7 @@ Recorded HostFrames::State::record(VkCommandBuffer commands, std::span<const Vie
   cmd.barrier_all();
 
   Recorded recorded;
-  if (!options.scattered) return recorded;
+  if (!options.scattered || !frame.outputs().scattered.valid()) return recorded;
   recorded.scattered = frame.executor().resources().texture(frame.outputs().scattered).view();
   recorded.records = filled.records.buffer->handle();
   recorded.records_offset = filled.records.offset;

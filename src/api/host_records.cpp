@@ -1,20 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "api/host_records.h"
 
-#include "base/core/error.h"
 #include "render/passes/scatter/scatter_sum/scatter_sum.h"
 
 namespace dermis::api {
-
-void check_unwraps(std::span<const setup::Subject* const> subjects) {
-  for (const setup::Subject* subject : subjects)
-    for (const scene::SkinMesh& mesh : subject->skin)
-      if (mesh.layers > 1)
-        throw input_error(subject->scene->name,
-                          "skin '{}' has charts on the same texture coordinates, so its light map lays them "
-                          "apart. A host that reads or draws that light needs an unwrap without overlaps",
-                          mesh.name);
-}
 
 HostRecords::HostRecords(std::span<const setup::Subject* const> subjects) {
   for (const setup::Subject* subject : subjects) {
@@ -27,6 +16,7 @@ HostRecords::HostRecords(std::span<const setup::Subject* const> subjects) {
 std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
                                         const setup::FrameSetup& setup) const {
   std::vector<HostRecord> records = unlit_;
+  for (HostRecord& record : records) record.unlit_rest = setup.plan.host_lights() ? 0.0f : 1.0f;
   for (std::size_t i = 0; i < frame.instances.size(); ++i) {
     const passes::Instance& head = frame.instances[i];
     const std::uint32_t first = first_[setup.heads[i].instance];

@@ -19,12 +19,9 @@ struct HostRecord {
   float side = 0;
   std::uint32_t layer = 0;
   std::uint32_t lit = 0;
+  float unlit_rest = 1;
 };
-static_assert(sizeof(HostRecord) == 36);
-
-/// Throws InputError if the light map of some skin is not its texture coordinates, scaled and moved, by which
-/// shaders of a host find it: see scene::lay_charts_apart().
-void check_unwraps(std::span<const setup::Subject* const> subjects);
+static_assert(sizeof(HostRecord) == 40);
 
 /// Numbers the records: one per instance and skin mesh of its asset, in the order of the scene.
 class HostRecords {

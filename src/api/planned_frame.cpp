@@ -6,11 +6,13 @@
 #include "api/output.h"
 #include "api/scene_state.h"
 #include "base/core/error.h"
+#include "render/passes/scatter/scatter_sum/scatter_sum.h"
 #include "render/setup/camera_matrices.h"
 #include "render/setup/choose.h"
 #include "render/setup/frame_data.h"
 #include "render/techniques/lambert/lambert.h"
 #include "render/techniques/screen.h"
+#include "render/techniques/texture_space/map_pool.h"
 
 namespace dermis::api {
 namespace {
@@ -23,6 +25,14 @@ void check_layers(const Scene& scene, const setup::FrameSetup& setup, const gpu:
                       "a smaller lighting.rig_lights uses fewer ({} of them are in the environment)",
                       setup.lights.size(), layers, setup.plan.shadow_sets(), limits.max_array_layers,
                       setup.environment_lights);
+  if (!setup.plan.host || !setup.plan.host->scattered) return;
+  const std::uint32_t scattered = passes::ScatterSum::layer_of(techniques::MapPool(setup.plan).batches());
+  if (scattered > limits.max_array_layers)
+    throw input_error(
+        scene.name(),
+        "scattered light of {} heads takes {} layers of an image, this device has at most {}; a "
+        "larger quality.map_budget_mb puts more heads into one",
+        setup.heads.size(), scattered, limits.max_array_layers);
 }
 
 // Once for each asset is enough, however many views follow.

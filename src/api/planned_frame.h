@@ -52,8 +52,8 @@ class PlannedFrame {
            const std::optional<setup::HostSetup>& host = {});
 
   /// Takes the scene and the settings of the last set() as another camera sees them, in this part of its
-  /// targets. Makes nothing and uploads nothing. Throws InputError, and is as before: the camera is none, its
-  /// depth runs the other way than the host's, or it needs another plan.
+  /// targets. Makes nothing and uploads nothing. Throws InputError, and is as before: the camera is none, or
+  /// its depth runs the other way than the host's.
   void set_view(const CameraMatrices& camera, const VkRect2D& area);
 
   /// False if the last set() has thrown half way.

@@ -139,7 +139,7 @@ void set_up_camera(FrameSetup& setup, const PlacedScene& scene, std::span<const 
   seen_by = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
   if (s.camera.matrices)
     seen_by.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
-                                 : picture_from_world(*s.camera.matrices, camera);
+                                   : picture_from_world(*s.camera.matrices, camera);
   setup.frame.picture_size = glm::uvec2(s.output.width, s.output.height);
   setup.d_ref = reference_distance(*subjects.front(), s, camera);
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
@@ -221,8 +221,19 @@ int gaussians_of(const techniques::SkinMesh& part) {
   return static_cast<int>(all_leaves ? 0 : terms.size()) + (has_weight(part.unscattered) ? 1 : 0);
 }
 
-// The light of a host is that of light maps, which hold what has scattered.
-void check_unscattered(const techniques::FrameSettings& plan) {
+// The light of a host is that of light maps, which hold what has scattered. Its shaders find them by texture
+// coordinates, scaled and moved: see scene::lay_charts_apart().
+void check_host_maps(const FrameSetup& setup, std::span<const Subject* const> subjects) {
+  const techniques::FrameSettings& plan = setup.plan;
+  if (!plan.host || !(plan.host_lights() || plan.host->scattered)) return;
+  for (const Subject* subject : subjects)
+    for (const scene::SkinMesh& mesh : subject->skin)
+      if (mesh.layers > 1)
+        throw input_error(subject->scene->name,
+                          "skin '{}' has charts on the same texture coordinates, so its light map lays them "
+                          "apart. A host that reads or draws that light needs an unwrap without overlaps",
+                          mesh.name);
+
   if (!plan.host_lights()) return;
   for (const techniques::SkinMesh& part : plan.skin)
     if (part.unscattered != gaussians::Rgb{})
@@ -394,7 +405,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
                             can_keep_shadows(setup.plan, *setup.technique, device, every_view);
   check_numbers(setup);
   check_published(setup);
-  check_unscattered(setup.plan);
+  check_host_maps(setup, subjects);
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;

@@ -82,7 +82,8 @@ void set_head_sides(FrameSetup& setup, std::span<const Subject* const> subjects,
     techniques::MapDetail& detail = head.detail;
     const techniques::Model& model = plan.models[head.model];
     // The plan of a host must serve every view: it has no close-ups.
-    if (plan.host) detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
+    if (plan.host && plan.mixes())
+      detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
     detail.side = model.meshes > 0 ? plan.map_size_of(plan.skin[model.first_mesh]) : plan.map_size;
     if (plan.mixes())
       detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, detail.side);

@@ -110,8 +110,11 @@ TEST_F(EmbeddedHostility, LightOfChartsThatLieApartIsNotToBeRead) {
   vulkan::HostFrames picture(renderer, {.picture = vulkan::PictureTargets{.largest = {64, 64}}});
   EXPECT_NO_THROW(picture.update(scene, frame_settings()));
   vulkan::HostFrames light(renderer, {.scattered = true});
+  const Scene before = lit_ball();
+  light.update(before, frame_settings());
   EXPECT_NE(thrown<InputError>([&] { light.update(scene, frame_settings()); }).find("charts"),
             std::string::npos);
+  EXPECT_NO_THROW(light.record_of(before.instances().front())) << "all is as before";
 }
 
 TEST_F(EmbeddedHostility, UpdatesThatDoNotFit) {

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "frame.h"
 #include "gpu/cmd.h"
@@ -14,6 +16,7 @@
 #include "gpu/pipelines.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
+#include "head/scene/import/primitives.h"
 #include "render/passes/bindings.h"
 
 namespace dermis::test_embedding {
@@ -33,6 +36,10 @@ struct Scattered {
   std::array<float, 3> light, rest;
 };
 
+std::array<double, 16> moved(const std::array<double, 3>& by_m) {
+  return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, by_m[0], by_m[1], by_m[2], 1};
+}
+
 // Uniform light, and white skin that reflects nothing: where all of the light is there, it leaves as 1. All
 // of the skin is lit, so that all that can be read may be.
 RenderSettings furnace() {
@@ -41,24 +48,27 @@ RenderSettings furnace() {
   return s;
 }
 
-// A ball in a frame of so many pixels per side, the eye at 0.4 m and the ball further away.
-class Ball {
+// A scene in a frame of so many pixels per side, the eye at 0.4 m.
+class Seen {
  public:
-  explicit Ball(std::uint32_t pixels)
-      : frame_({.options = {.picture = vulkan::PictureTargets{}, .scattered = true},
+  explicit Seen(std::uint32_t pixels, Scene scene = sphere(0.07))
+      : scene_(std::move(scene)),
+        frame_({.options = {.picture = vulkan::PictureTargets{}, .scattered = true},
                 .extent = {pixels, pixels}}) {}
 
-  std::vector<Scattered> read(const RenderSettings& settings, double further_m = 0) {
-    scene_.set_transform(scene_.instances().front(),
-                         {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -further_m, 1});
-    frame_.frames->update(scene_, settings);
+  Scene& scene() { return scene_; }
+  void draw(const RenderSettings& settings, const vulkan::HostInputs& inputs = {}) {
+    frame_.frames->update(scene_, settings, inputs);
     frame_.draw();
+  }
+  const vulkan::Recorded& recorded() const { return frame_.recorded; }
 
+  std::vector<Scattered> read(std::size_t number = 0) {
     gpu::Device device(frame_.host.vulkan());
     gpu::PipelineLibrary library(device, test_embedding::find_shader);
     const gpu::Pipeline& pipeline = library.compute("read_scattered.comp");
-    const gpu::Texture light("light", {.array = true}, frame_.recorded.scattered);
-    const gpu::Buffer records("records", frame_.recorded.records);
+    const gpu::Texture light("light", {.array = true}, recorded().scattered);
+    const gpu::Buffer records("records", recorded().records);
     std::vector<Scattered> found(std::size_t{grid} * grid);
     const gpu::Buffer out(
         device, "found",
@@ -69,20 +79,25 @@ class Ball {
       passes::Bindings()
           .add("dermis_light", gpu::SampledBinding{&light, library.sampler({})})
           .add("DermisRecords",
-               gpu::BufferBinding{&records, frame_.recorded.records_offset, frame_.recorded.records_bytes})
+               gpu::BufferBinding{&records, recorded().records_offset, recorded().records_bytes})
           .add("Found", out)
           .bind(cmd, pipeline);
-      cmd.push(pipeline, std::array{frame_.frames->record_of(scene_.instances().front()), grid});
+      cmd.push(pipeline, std::array{frame_.frames->record_of(scene_.instances()[number]), grid});
       cmd.dispatch_over(pipeline, grid, grid);
     });
     const std::vector<std::byte> bytes = gpu::read_back(device, out);
     std::memcpy(found.data(), bytes.data(), bytes.size());
     return found;
   }
+  std::vector<Scattered> drawn(const RenderSettings& settings, double further_m = 0) {
+    scene_.set_transform(scene_.instances().front(), moved({0, 0, -further_m}));
+    draw(settings);
+    return read();
+  }
 
  private:
+  Scene scene_;
   Frame frame_;
-  Scene scene_ = sphere(0.07);
 };
 
 // Expects that all light is there, and returns the least rest of red.
@@ -99,8 +114,8 @@ double least_rest(const std::vector<Scattered>& found) {
 }
 
 TEST_F(EmbeddedScattered, LightAndRestAreAllLightAtEachDistance) {
-  Ball ball(384);  // pixels of half a millimetre, where it is near
-  const auto least_at = [&](double further_m) { return least_rest(ball.read(furnace(), further_m)); };
+  Seen ball(384);  // pixels of half a millimetre, where it is near
+  const auto least_at = [&](double further_m) { return least_rest(ball.drawn(furnace(), further_m)); };
   // The two widest terms are mapped, which are 44 % of red; then some of what enters for the others, too;
   // then the widest alone, and in part; then none, as pixels are wider than any spreads.
   const double near = least_at(0), further = least_at(0.8);
@@ -113,11 +128,11 @@ TEST_F(EmbeddedScattered, LightAndRestAreAllLightAtEachDistance) {
 TEST_F(EmbeddedScattered, ThereIsNoRestWhereAllTermsAreMapped) {
   RenderSettings settings = furnace();
   settings.quality.depth = false;
-  EXPECT_NEAR(least_rest(Ball(side).read(settings)), 0, rounding);
+  EXPECT_NEAR(least_rest(Seen(side).drawn(settings)), 0, rounding);
 }
 
 TEST_F(EmbeddedScattered, LightThatLeavesWhereItEnteredIsRest) {
-  const double rest = least_rest(Ball(384).read(
+  const double rest = least_rest(Seen(384).drawn(
       with_profile(furnace(), "half",
                    {{.variance_mm2 = 0, .weight = {1, 1, 1}}, {.variance_mm2 = 4, .weight = {1, 1, 1}}})));
   EXPECT_NEAR(rest, 0.5, rounding);
@@ -125,10 +140,62 @@ TEST_F(EmbeddedScattered, LightThatLeavesWhereItEnteredIsRest) {
 
 // A head that is hidden, or outside of the picture, is the host's alone.
 TEST_F(EmbeddedScattered, AllIsRestWhereAHeadIsNotLit) {
-  for (const Scattered& at : Ball(side).read(furnace(), -2)) {
+  for (const Scattered& at : Seen(side).drawn(furnace(), -2)) {
     EXPECT_EQ(at.light, (std::array<float, 3>{0, 0, 0}));
     EXPECT_EQ(at.rest, (std::array<float, 3>{1, 1, 1}));
   }
+}
+
+// Red, green and blue balls, of which a turn of the pool holds one. Half of their colour acts before the
+// light spreads: what they hold is that of their own layer.
+TEST_F(EmbeddedScattered, EachTurnOfThePoolHasItsOwnLight) {
+  Scene balls = sphere(0.03);
+  const InstanceId first = balls.instances().front();
+  for (int i = 1; i < 3; ++i) balls.add({.asset = balls.instance(first).asset});
+  for (int i = 0; i < 3; ++i) {
+    const InstanceId id = balls.instances()[static_cast<std::size_t>(i)];
+    balls.set_transform(id, moved({0.06 * i - 0.06, 0, 0}));
+    std::array<double, 3> tint{0.1, 0.1, 0.1};
+    tint[static_cast<std::size_t>(i)] = 1;
+    balls.set_tint(id, tint);
+  }
+
+  Seen seen(384, balls);
+  RenderSettings settings = furnace();
+  settings.lighting.white_albedo = false;
+  settings.quality.skip_unseen_heads = false;
+  settings.quality.cull = settings.quality.depth = false;  // one head per turn
+  seen.draw(settings);
+  for (std::size_t number = 0; number < 3; ++number) {
+    std::size_t lit = 0;
+    for (const Scattered& at : seen.read(number)) {
+      if (at.light[number] < 0.05f) continue;
+      ++lit;
+      for (std::size_t c = 0; c < 3; ++c) {
+        if (c == number) continue;
+        ASSERT_LT(at.light[c], 0.7f * at.light[number]) << number;
+      }
+    }
+    EXPECT_GT(lit, std::size_t{grid} * grid / 4) << number;
+  }
+}
+
+// A host that draws the light itself has lit what there is to light, also where that is nothing.
+TEST_F(EmbeddedScattered, ThereIsNoRestWhereTheLightIsTheHosts) {
+  Seen ball(side);
+  ball.draw(furnace(), {.draw_irradiance = [](VkCommandBuffer, const vulkan::IrradianceTarget&) {}});
+  for (const Scattered& at : ball.read()) {
+    EXPECT_EQ(at.light, (std::array<float, 3>{0, 0, 0}));
+    EXPECT_EQ(at.rest, (std::array<float, 3>{0, 0, 0}));
+  }
+}
+
+TEST_F(EmbeddedScattered, OfASceneWithoutSkinThereIsNone) {
+  scene::AssetData plain = scene::sphere(0.07);
+  for (scene::Material& material : plain.materials) material.skin = false;
+  Seen seen(side, wrap(plain));
+  seen.draw(furnace());
+  EXPECT_EQ(seen.recorded().scattered, VK_NULL_HANDLE);
 }
 
 }  // namespace

@@ -121,6 +121,19 @@ TEST(MappedTerms, FadeBeforeTheyAreLeftOut) {
   EXPECT_EQ(before, (std::array<float, 2>{0, 0}));
 }
 
+// A pixel of 0.5 / 0.35 mm per texel is as coarse as the narrowest term that is read from a map.
+TEST(MappedTerms, NarrowLightEntersWherePixelsAreCoarser) {
+  const FrameSettings s = like_the_scan();
+  const auto share_at = [&](double texels) {
+    const double texels_per_mm = s.skin[0].mean_uv_per_mm * 256;
+    return entered_share(s.skin[0], {.side = 256, .pixels_per_mm = texels_per_mm / (2 * texels)});
+  };
+  EXPECT_EQ(share_at(0.34), 0);
+  EXPECT_GT(share_at(0.36), 0);
+  EXPECT_LT(share_at(0.4), 0.1);
+  EXPECT_FLOAT_EQ(share_at(0.6), 0.5f);
+}
+
 TEST(MappedTerms, AreAllWhereAHostDrawsTheLight) {
   FrameSettings whole = like_the_scan(), drawn_by_host = whole, in_host = whole, read_by_host = whole;
   whole.optimise = {.cull = true, .depth = false, .clip = true};
