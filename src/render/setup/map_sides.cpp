@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "render/setup/frame_camera.h"
 #include "render/techniques/mapped_terms.h"
@@ -29,30 +28,35 @@ double before_close_ups(const techniques::FrameSettings& plan, const techniques:
   return most * (1 - 1e-6);
 }
 
-// T_max of a model is that of a near head, or of a close-up in this frame, and maps hold what shows there. So
-// a plan changes where a head comes closer than that, and not before; other models change nothing for it.
-void hold_what_shows(FrameSetup& setup, bool every_view) {
+// Returns T_max of a model and its finest pixels: those of a near head, or of a close-up in this frame. So a
+// plan changes where a head comes closer than that, and not before; other models change nothing for it.
+techniques::MapDetail finest_of(const FrameSetup& setup, std::uint32_t number, std::uint32_t limit) {
+  const techniques::Model& model = setup.plan.models[number];
+  techniques::MapDetail finest{0, 0};
+  for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
+    finest.side = std::max(finest.side, techniques::near_side(setup.plan.skin[mesh], limit));
+  for (const Head& head : setup.heads) {
+    if (head.model != number || !head.visible) continue;
+    finest.side = std::max(finest.side, head.detail.side);
+    finest.pixels_per_mm = std::max(finest.pixels_per_mm, head.detail.pixels_per_mm);
+  }
+  return finest;
+}
+
+// Has maps hold what shows, and no more.
+void hold_what_shows(FrameSetup& setup, std::uint32_t limit, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
-  const std::uint32_t limit = std::exchange(plan.map_size, 0);
   plan.stretch_side = std::min(limit, most_stretch_side);
+  plan.map_size = 0;
 
   for (std::uint32_t number = 0; number < plan.models.size(); ++number) {
     const techniques::Model& model = plan.models[number];
-    const std::span parts = std::span(plan.skin).subspan(model.first_mesh, model.meshes);
-    techniques::MapDetail finest{0, 0};
-    for (const techniques::SkinMesh& part : parts)
-      finest.side = std::max(finest.side, techniques::near_side(part, limit));
-    for (Head& head : setup.heads) {
-      if (head.model != number) continue;
-      if (!head.visible) {
-        head.detail.side = std::min(head.detail.side, finest.side);
-        continue;
-      }
-      finest.side = std::max(finest.side, head.detail.side);
-      finest.pixels_per_mm = std::max(finest.pixels_per_mm, head.detail.pixels_per_mm);
-    }
+    const techniques::MapDetail finest = finest_of(setup, number, limit);
+    for (Head& head : setup.heads)
+      if (head.model == number) head.detail.side = std::min(head.detail.side, finest.side);
+    if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
 
-    for (techniques::SkinMesh& part : parts) {
+    for (techniques::SkinMesh& part : std::span(plan.skin).subspan(model.first_mesh, model.meshes)) {
       part.map_size = finest.side;
       part.first_mapped = techniques::first_mapped(part, finest);
       const auto is_coarse = [&](const Head& head) {
@@ -61,7 +65,6 @@ void hold_what_shows(FrameSetup& setup, bool every_view) {
       part.reads_entered = part.first_mapped > 0 && part.mapped_count() < MOST_TERMS &&
                            (every_view || std::ranges::any_of(setup.heads, is_coarse));
     }
-    if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
   }
 }
 
@@ -94,9 +97,9 @@ void set_head_sides(FrameSetup& setup, std::span<const Subject* const> subjects,
 
 void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s,
                       bool every_view) {
-  setup.plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+  const std::uint32_t limit = setup.plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
   set_head_sides(setup, subjects, s);
-  if (!setup.plan.skin.empty() && setup.plan.mixes()) hold_what_shows(setup, every_view);
+  if (!setup.plan.skin.empty() && setup.plan.mixes()) hold_what_shows(setup, limit, every_view);
 }
 
 }  // namespace dermis::setup
