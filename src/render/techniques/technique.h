@@ -47,7 +47,7 @@ struct FrameOutputs {
   frame::BufferId labels;         ///< of render/passes/pixels/labels; likewise
   frame::BufferId counters;       ///< uint[]; Technique::report says what they mean
   /// With FrameSettings::host, in place of the pictures. Targets of the host; the light that it reads,
-  /// RGBA16F, a layer per batch, see passes::ScatterSum.
+  /// RGBA16F, see passes::ScatterSum.
   frame::TextureId host_colour, host_depth, scattered;
   std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
   /// That grow with the heads and skin meshes of a batch; render/techniques/memory.h sums them.
