@@ -45,7 +45,7 @@ vec2 dermis_map_position(uint record, vec2 uv) {
 // The light of the terms of the profile that light maps hold, and the weight of the others. These are narrow:
 // save in close-ups, pixels cannot tell them from light that leaves where it entered.
 struct DermisScattered {
-  // What leaves white skin, times 2^exposure_ev: radiance, linear Rec.709, with the part of the albedo that
+  // Radiance that leaves white skin, times 2^exposure_ev: linear Rec.709, with the part of the albedo that
   // acts before the light spreads.
   vec3 light;
   vec3 rest;  // per channel; unlit_rest where the head is not lit, or so far away that no term is mapped

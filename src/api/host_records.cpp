@@ -5,10 +5,11 @@
 
 namespace dermis::api {
 
-HostRecords::HostRecords(std::span<const setup::Subject* const> subjects) {
+HostRecords::HostRecords(std::span<const setup::Subject* const> subjects, float unlit_rest) {
   for (const setup::Subject* subject : subjects) {
     for (const scene::SkinMesh& mesh : subject->skin)
-      unlit_.push_back({.uv_scale = mesh.unwrap_scale, .uv_offset = mesh.unwrap_offset});
+      unlit_.push_back(
+          {.uv_scale = mesh.unwrap_scale, .uv_offset = mesh.unwrap_offset, .unlit_rest = unlit_rest});
     first_.push_back(static_cast<std::uint32_t>(unlit_.size()));
   }
 }
@@ -16,7 +17,6 @@ HostRecords::HostRecords(std::span<const setup::Subject* const> subjects) {
 std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
                                         const setup::FrameSetup& setup) const {
   std::vector<HostRecord> records = unlit_;
-  for (HostRecord& record : records) record.unlit_rest = setup.plan.host_lights() ? 0.0f : 1.0f;
   for (std::size_t i = 0; i < frame.instances.size(); ++i) {
     const passes::Instance& head = frame.instances[i];
     const std::uint32_t first = first_[setup.heads[i].instance];
@@ -27,7 +27,7 @@ std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
       record.layer = passes::ScatterSum::layer_of(head.map_places[mesh].batch);
       const passes::MapSquare square{static_cast<std::uint32_t>(i),
                                      head.first_mesh + static_cast<std::uint32_t>(mesh)};
-      record.lit = head.visible && passes::terms_of(frame, square).any ? 1 : 0;
+      record.lit = passes::holds_light(frame, square) ? 1 : 0;
     }
   }
   return records;

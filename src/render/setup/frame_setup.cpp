@@ -133,8 +133,8 @@ void set_up_shadows(Head& head, const std::vector<scene::Light>& lights, const p
 
 // Decides all that follows from the camera: how large each head shows, and whether at all.
 void set_up_camera(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
-                   const RenderSettings& s, const HostSetup* host) {
-  const scene::Camera camera = choose_camera(scene, s, head_spheres(scene, s));
+                   const RenderSettings& s, const HeadSpheres& spheres, const HostSetup* host) {
+  const scene::Camera camera = choose_camera(scene, s, spheres);
   io::CameraIo& seen_by = setup.frame.camera;
   seen_by = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
   if (s.camera.matrices)
@@ -381,13 +381,14 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.heads = placed_heads(scene, s);
-  setup.lights = choose_lights(scene, s, head_spheres(scene, s));
+  const HeadSpheres spheres = head_spheres(scene, s);
+  setup.lights = choose_lights(scene, s, spheres);
   if (environment_lights) {
     setup.lights.insert(setup.lights.end(), environment_lights->begin(), environment_lights->end());
     setup.environment_lights = static_cast<int>(environment_lights->size());
   }
 
-  set_up_camera(setup, scene, subjects, s, host);
+  set_up_camera(setup, scene, subjects, s, spheres, host);
   set_up_models(setup, scene, subjects, s);
   if (host) {
     setup.plan.host = host->part;
@@ -420,7 +421,7 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
 
 void set_view(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
               const RenderSettings& s, const HostSetup& host) {
-  set_up_camera(setup, scene, subjects, s, &host);
+  set_up_camera(setup, scene, subjects, s, head_spheres(scene, s), &host);
   set_head_sides(setup, subjects, s);
   sort_heads(setup, s);
   place_shadows(setup.heads, setup.plan);

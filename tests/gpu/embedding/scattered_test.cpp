@@ -3,7 +3,6 @@
 // them.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <span>
 #include <string_view>
@@ -56,7 +55,6 @@ class Seen {
         frame_({.options = {.picture = vulkan::PictureTargets{}, .scattered = true},
                 .extent = {pixels, pixels}}) {}
 
-  Scene& scene() { return scene_; }
   void draw(const RenderSettings& settings, const vulkan::HostInputs& inputs = {}) {
     frame_.frames->update(scene_, settings, inputs);
     frame_.draw();

@@ -143,7 +143,7 @@ TEST(MappedTerms, AreAllWhereAHostDrawsTheLight) {
     EXPECT_EQ(mapped_terms(*s, 0, {.side = 32}), passes::MappedTerms{});
     EXPECT_EQ(mapped_count(*s, 0, {.side = 32}), 6);
   }
-  // Where a host shows the light, or lights the rest itself, they are as in a picture of ours.
+  // They are as in a picture of ours if a host shows the light, or lights the rest itself.
   in_host.host = HostPart{.picture = passes::PictureFormat{}};
   read_by_host.host = HostPart{.scattered = true};
   for (const FrameSettings* s : {&in_host, &read_by_host})

@@ -14,6 +14,10 @@ MappedTerms terms_of(const FrameData& frame, const MapSquare& square) {
   return terms.empty() ? MappedTerms{} : terms[mesh_in_asset(frame, square)];
 }
 
+bool holds_light(const FrameData& frame, const MapSquare& square) {
+  return instance_of(frame, square).visible && terms_of(frame, square).any;
+}
+
 UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
   const Instance& instance = instance_of(frame, square);
   UsedSquare used{square};
@@ -30,8 +34,7 @@ UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {
   std::vector<UsedSquare> used;
   for (const MapSquare& square : squares)
-    if (instance_of(frame, square).visible && terms_of(frame, square).any)
-      used.push_back(used_square(frame, square));
+    if (holds_light(frame, square)) used.push_back(used_square(frame, square));
   return used;
 }
 

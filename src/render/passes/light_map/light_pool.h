@@ -32,6 +32,10 @@ inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& squa
 /// Returns which terms are read from the maps of a square in this frame.
 MappedTerms terms_of(const FrameData& frame, const MapSquare& square);
 
+/// Returns whether a square holds light in this frame: of a visible head that reads at least one term from
+/// it.
+bool holds_light(const FrameData& frame, const MapSquare& square);
+
 /// A square as a frame uses it.
 struct UsedSquare : MapSquare {
   std::uint32_t index = 0;  ///< of the square in its pool
@@ -40,7 +44,7 @@ struct UsedSquare : MapSquare {
   VkRect2D area() const;
 };
 UsedSquare used_square(const FrameData& frame, const MapSquare& square);
-/// Returns the squares that hold light in this frame: of visible heads that read at least one term from them.
+/// Returns those that hold light.
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares);
 /// Returns those whose chain of blurs has begun with this step of blur_steps(), or before.
 std::vector<UsedSquare> blurred_squares(const FrameData& frame, const std::vector<MapSquare>& squares,
