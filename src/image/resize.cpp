@@ -103,12 +103,6 @@ void for_each_mip(const Image8& base, bool srgb, const std::function<void(const 
   }
 }
 
-std::vector<Image8> mip_chain(const Image8& base, bool srgb) {
-  std::vector<Image8> chain;
-  for_each_mip(base, srgb, [&](const Image8& mip) { chain.push_back(mip); });
-  return chain;
-}
-
 ImageF downsample_box(const ImageF& picture, int factor) {
   DERMIS_ASSERT_LE(1, factor);
   DERMIS_ASSERT_EQ(picture.width % factor, 0);

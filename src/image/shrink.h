@@ -59,7 +59,7 @@ class AreaAverage {
 
 /// Receives an RGBA picture in rows of 8 or 16 bits from a decoder, and keeps it at 1 / 2^halvings of its
 /// size. `deep` concerns rows of 16 bits. `srgb`: averages colours in linear light, weighted by alpha (as
-/// mip_chain does); else all four channels are plain data.
+/// for_each_mip does); else all four channels are plain data.
 class Shrinking {
  public:
   Shrinking(int width, int height, const Shrink& shrink);

@@ -10,7 +10,8 @@ const vec3 centre(0, -5, 0);
 
 // Landmarks of the left half and the midline, mm: y from the line of the eyes, z from the middle of the head.
 // Placed by the canon of proportions (eyes at half height, nose base half-way from brow to chin, mouth a
-// third below) and by the breadths and lengths of anthropometry.h. Rounded by eye between them.
+// third below) and by the breadths and lengths of tests/unit/builtin_head/anthropometry.h. Rounded by eye
+// between them.
 const std::vector<vec3> landmarks = {
     // midline, front, from the crown down; the nose is not part of this mass
     {0, 115, -10},

@@ -36,8 +36,4 @@ void for_each_position(const Primitive& primitive, const Visit& visit) {
     for (std::uint32_t v = 0; v < primitive.vertices.size(); ++v) visit(world_position_m(primitive, copy, v));
 }
 
-/// Returns the primitives with every copy written out, in the order of their nodes' first appearance; for
-/// tests and tools. Takes memory for each copy.
-std::vector<Primitive> written_out(const AssetData& scene);
-
 }  // namespace dermis::scene

@@ -116,10 +116,6 @@ DirectionalAlbedo directional_albedo(double cosine, double m, Masking masking) {
   return albedos(cosine, m)[static_cast<std::size_t>(masking)];
 }
 
-DirectionalAlbedo mean_directional_albedo(double m, Masking masking) {
-  return mean_albedos(m)[static_cast<std::size_t>(masking)];
-}
-
 const std::vector<float>& directional_albedo_table() {
   static const std::vector<float> table = make_table();
   return table;

@@ -38,8 +38,6 @@ struct DirectionalAlbedo {
 /// dimensionless. The cosine of the view is 0..1 (at least 1e-3 is used), m is Beckmann's roughness,
 /// directional_albedo_min_m to 1.
 DirectionalAlbedo directional_albedo(double cosine, double m, Masking masking);
-/// Returns its mean over diffuse light, 2 Int_0^1 rho(mu, m) mu dmu, by 64 midpoints.
-DirectionalAlbedo mean_directional_albedo(double m, Masking masking);
 
 inline constexpr int directional_albedo_channels = 4;  ///< (of_f0, rest) by Masking, in its order
 /// Returns directional_albedo_rows rows of directional_albedo_columns + 2 entries.

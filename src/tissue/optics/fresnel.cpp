@@ -53,6 +53,4 @@ double boundary_factor_classical(double n) {
   return (1 + fdr) / (1 - fdr);
 }
 
-double boundary_factor_moments(double n) { return (1 + fresnel_moment_3c2(n)) / (1 - fresnel_moment_2c1(n)); }
-
 }  // namespace dermis::optics

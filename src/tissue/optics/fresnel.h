@@ -26,8 +26,5 @@ double fresnel_moment_3c2(double n);
 /// Returns the boundary factor of the classical dipole, A = (1 + F_dr) / (1 - F_dr), dimensionless, >= 1 for
 /// n > 1; 1 for n = 1; n in 1/3..3. [JMLH01] sec. 2.1.
 double boundary_factor_classical(double n);
-/// Returns the boundary factor of the better dipole, A = (1 + 3 C2) / (1 - 2 C1), dimensionless; n in 1/3..3.
-/// [DI11] eq. 25. Photon beam diffusion uses it too.
-double boundary_factor_moments(double n);
 
 }  // namespace dermis::optics

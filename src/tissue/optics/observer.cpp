@@ -68,15 +68,6 @@ double lab_curve_inverse(double f) {
 std::span<const double> wavelengths_nm() { return tables().nm; }
 std::span<const Rgb> rec709_weights() { return tables().weights; }
 
-Rgb linear_rgb(const std::function<double(double)>& reflectance) {
-  Rgb sum{};
-  for (std::size_t i = 0; i < count; ++i) {
-    const double r = reflectance(rows[i].nm);
-    for (int c = 0; c < 3; ++c) sum[c] += tables().weights[i][c] * r;
-  }
-  return sum;
-}
-
 Xyz xyz_from_linear(const Rgb& linear) {
   Xyz xyz{};
   for (int i = 0; i < 3; ++i)

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <span>
 
 #include "tissue/optics/media.h"
@@ -25,9 +24,6 @@ std::span<const double> wavelengths_nm();
 /// spectral colours.
 std::span<const Rgb> rec709_weights();
 
-/// Returns linear Rec.709 under D65 of a reflectance (0..1) given by wavelength [nm]. CIE 015. White is
-/// (1,1,1); saturated spectra may leave 0..1.
-Rgb linear_rgb(const std::function<double(double nm)>& reflectance);
 /// Returns XYZ = M RGB, M the matrix of IEC 61966-2-1 (any values); white (1,1,1) is D65 with Y = 1.
 Xyz xyz_from_linear(const Rgb& linear);
 

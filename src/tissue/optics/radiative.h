@@ -4,7 +4,6 @@
 // Based on:
 // [PGW93] Prahl, van Gemert, Welch: Determining the optical properties of turbid media by using the
 //         adding-doubling method. Appl. Opt. 32, 1993
-// [C60]   Chandrasekhar: Radiative Transfer. Dover 1960, ch. 5
 #pragma once
 
 #include "tissue/optics/layers.h"
@@ -28,14 +27,5 @@ Totals adding_doubling_coarse(const Layers& layers, const std::string& where = "
 /// that of above[i] on below[j] at i * below.size() + j. Each layer is doubled once, so that the cost is some
 /// 4 us per result. All have one index; above are finite. None may be empty.
 std::vector<double> two_layers_coarse(const std::vector<Layer>& above, const std::vector<Layer>& below);
-
-/// Returns H(mu) of [C60], mu 0..1, for isotropic scattering of albedo 0..1 in a half-space without a
-/// boundary; within 1e-12 on 200 Gauss points.
-double chandrasekhar_h(double albedo, double mu);
-/// Returns the exact reflectance of that half-space (0..1) for a perpendicular beam: 1 - sqrt(1-a) H(1).
-/// [C60] ch. 5
-double exact_reflectance_perpendicular(double albedo);
-/// Returns the exact reflectance for diffuse light: 1 - 2 sqrt(1-a) Int_0^1 mu H(mu) dmu. [C60] ch. 5
-double exact_reflectance_diffuse(double albedo);
 
 }  // namespace dermis::optics

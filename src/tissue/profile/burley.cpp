@@ -55,11 +55,6 @@ double Burley::quantile(double p) const {
   return 3 * shape_mm_ * std::log((1 + 1 / cube_root + cube_root) / (4 * u));
 }
 
-double Burley::slab_transmittance(double thickness_mm) const {
-  const double t = thickness_mm / shape_mm_;
-  return total_ / 4 * (std::exp(-t) + 3 * std::exp(-t / 3));
-}
-
 BurleyDescription parse_burley(const std::string& text, const std::string& where) {
   const auto values = optics::parse_key_values(text, {"reflectance", "mfp_mm", "dmfp_mm", "shape_mm"}, where);
   if (!values.contains("reflectance")) throw input_error(where, "'reflectance' is missing");

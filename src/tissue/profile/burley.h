@@ -33,8 +33,6 @@ class Burley final : public RadialProfile {
   double within(double radius_mm) const override;
   /// Inverse of within(), in closed form.
   double quantile(double p) const override;
-  /// Returns what passes a slab of thickness t >= 0 mm: T(t) = A/4 (e^{-t/d} + 3 e^{-t/(3d)}).
-  double slab_transmittance(double thickness_mm) const;
   double inner_mm() const override { return shape_mm_; }
   double outer_mm() const override { return 3 * shape_mm_; }
   bool has_pole() const override { return true; }

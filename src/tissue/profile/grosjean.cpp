@@ -21,7 +21,8 @@ GrosjeanDiffusion::GrosjeanDiffusion(const optics::Medium& medium)
   fluence_part = (1 - two_c1) / 4;
   flux_part = (1 - three_c2) / 2;
 
-  // Boundary: a source at depth z has its image at the height z + 4 A D, A = (1 + 3 C2) / (1 - 2 C1).
+  // Boundary: a source at depth z has its image at the height z + 4 A D, A = (1 + 3 C2) / (1 - 2 C1),
+  // [DI11] eq. 25.
   gap_mm = 4 * (1 + three_c2) / (1 - two_c1) * coefficient_mm;
 }
 

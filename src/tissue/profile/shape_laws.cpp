@@ -156,8 +156,4 @@ std::vector<double> slab_backs(const optics::Medium& medium, std::span<const dou
   return backs;
 }
 
-double exit_factor(const ShapeLaws& laws, std::size_t c, double cosine) {
-  return laws.exit_grazing[c] + (laws.exit_normal[c] - laws.exit_grazing[c]) * cosine * cosine;
-}
-
 }  // namespace dermis::profile

@@ -30,7 +30,4 @@ double slab_front(const ShapeLaws& laws, std::size_t c, double thickness_mm);
 /// for each thickness >= 0. (It needs more of the medium than ShapeLaws hold.)
 std::vector<double> slab_backs(const optics::Medium& medium, std::span<const double> thicknesses_mm);
 
-/// Returns radiance over exitance / pi for the cosine of the angle of exit.
-double exit_factor(const ShapeLaws& laws, std::size_t c, double cosine);
-
 }  // namespace dermis::profile

@@ -10,7 +10,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
-#include "head/scene/placement.h"
+#include "support/written_out.h"
 
 namespace dermis::tests {
 namespace {

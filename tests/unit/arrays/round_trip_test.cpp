@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Scenes of real files, taken apart into arrays and put together again, are the same scenes.
 #include "head/scene/import/from_arrays.h"
-#include "head/scene/placement.h"
 #include "support.h"
 #include "support/built_in.h"
+#include "support/written_out.h"
 
 namespace dermis::scene::test {
 namespace {

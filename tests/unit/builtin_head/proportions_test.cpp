@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "head/builtin_head/anthropometry.h"
+#include "anthropometry.h"
 #include "head/builtin_head/builtin_head.h"
 #include "head/builtin_head/openings.h"
 #include "head/builtin_head/sculpture.h"

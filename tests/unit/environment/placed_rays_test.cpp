@@ -6,9 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "head/scene/import/primitives.h"
-#include "head/scene/placement.h"
 #include "rays/ray_scene.h"
 #include "rays/surface_point.h"
+#include "support/written_out.h"
 
 namespace dermis::rays {
 namespace {

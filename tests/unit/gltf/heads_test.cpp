@@ -6,6 +6,7 @@
 
 #include "head/scene/placement.h"
 #include "support.h"
+#include "support/written_out.h"
 
 namespace dermis::scene::test {
 

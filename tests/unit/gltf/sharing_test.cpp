@@ -5,6 +5,7 @@
 #include "head/scene/framing.h"
 #include "head/scene/placement.h"
 #include "support.h"
+#include "support/written_out.h"
 
 namespace dermis::scene::test {
 

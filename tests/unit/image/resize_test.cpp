@@ -8,6 +8,7 @@
 
 #include "dermis/error.h"
 #include "image/colour.h"
+#include "mip_chain.h"
 
 namespace dermis::image {
 namespace {

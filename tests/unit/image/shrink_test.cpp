@@ -9,7 +9,7 @@
 
 #include "image/colour.h"
 #include "image/files/formats.h"
-#include "image/resize.h"
+#include "mip_chain.h"
 #include "pictures.h"
 #include "support/log_lines.h"
 

@@ -70,20 +70,17 @@ TEST(Media, BadCoefficientsAreNamed) {
 // Independent quadrature, printed to six digits.
 TEST(Fresnel, MomentsAndBoundaryFactors) {
   struct Row {
-    double n, poly, c1, c2, classical, moments;
+    double n, poly, c1, c2, classical;
   };
-  for (const Row& row : {Row{1.1, .193332, .194345, .087920, 1.47933, 1.35035},
-                         Row{1.2, .335987, .336306, .198496, 2.01199, 1.80580},
-                         Row{1.3, .444763, .444457, .300267, 2.60206, 2.34053},
-                         Row{1.33, .472357, .471949, .328239, 2.79044, 2.51536},
-                         Row{1.37, .506158, .505673, .363635, 3.04988, 2.75857},
-                         Row{1.4, .529489, .528985, .388783, 3.25070, 2.94849},
-                         Row{1.5, .596733, .596346, .464430, 3.95950, 3.62793}}) {
+  for (const Row& row :
+       {Row{1.1, .193332, .194345, .087920, 1.47933}, Row{1.2, .335987, .336306, .198496, 2.01199},
+        Row{1.3, .444763, .444457, .300267, 2.60206}, Row{1.33, .472357, .471949, .328239, 2.79044},
+        Row{1.37, .506158, .505673, .363635, 3.04988}, Row{1.4, .529489, .528985, .388783, 3.25070},
+        Row{1.5, .596733, .596346, .464430, 3.95950}}) {
     EXPECT_NEAR(optics::fresnel_diffuse_polynomial(row.n), row.poly, 1e-6) << row.n;
     EXPECT_NEAR(optics::fresnel_moment_2c1(row.n), row.c1, 1e-6) << row.n;
     EXPECT_NEAR(optics::fresnel_moment_3c2(row.n), row.c2, 1e-6) << row.n;
     EXPECT_NEAR(optics::boundary_factor_classical(row.n), row.classical, 1e-5) << row.n;
-    EXPECT_NEAR(optics::boundary_factor_moments(row.n), row.moments, 1e-5) << row.n;
   }
 
   struct Outside {

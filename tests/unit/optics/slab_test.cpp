@@ -287,7 +287,6 @@ TEST(Burley, TotalQuantilesAndTransform) {
   EXPECT_NEAR(burley.within(1e6), 0.7, 1e-12);
   EXPECT_NEAR(burley.hankel(0), 0.7, 1e-12);
   for (const double p : {0.01, 0.3, 0.7, 0.99}) EXPECT_NEAR(burley.within(burley.quantile(p)), 0.7 * p, 1e-9);
-  EXPECT_NEAR(burley.slab_transmittance(0), 0.7, 1e-12);
   class Numeric final : public profile::RadialProfile {
    public:
     explicit Numeric(const profile::Burley& b) : b_(b) {}
@@ -320,16 +319,6 @@ TEST(Burley, ShapesFromLengths) {
              by_diffuse = profile::parse_burley("reflectance=0.7 dmfp_mm=4.644911", "x");
   EXPECT_NEAR(by_mean.shape_mm[0], 0.8643042, 1e-7);
   EXPECT_NEAR(by_diffuse.shape_mm[2], by_mean.shape_mm[2], 1e-6);
-}
-
-// T(t) = A/4 (e^{-t/d} + 3 e^{-t/3d}): A = 0.7, d = 0.5 mm, t = 1 mm: 0.175 (0.1353353 + 3 0.5134171)
-TEST(Burley, SlabTransmittance) {
-  const profile::Burley burley(0.7, 0.5, "test");
-  EXPECT_NEAR(burley.slab_transmittance(1), 0.2932277, 1e-7);
-  EXPECT_NEAR(burley.slab_transmittance(1.5), 0.175 * (std::exp(-3.0) + 3 * std::exp(-1.0)), 1e-12);
-  // what a half-space sends back from beyond t
-  EXPECT_NEAR(burley.slab_transmittance(2), 0.7 - burley.within(2), 1e-12);
-  EXPECT_NEAR(burley.slab_transmittance(60), 0, 1e-12);
 }
 
 TEST(Burley, MistakesAreNamed) {

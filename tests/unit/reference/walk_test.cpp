@@ -9,6 +9,7 @@
 
 #include "base/core/parallel.h"
 #include "rays/surface_point.h"
+#include "support/half_space.h"
 #include "tissue/optics/fresnel.h"
 #include "tissue/optics/radiative.h"
 #include "truth/reference/walk.h"

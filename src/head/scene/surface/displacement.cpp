@@ -191,7 +191,7 @@ image::Image8 displaced_normals(const image::Image8& heights, const Displacement
   Steps steps("deriving fine normals", 3);
   Field h = smooth_heights(heights, settings, target, sigma);
   steps.done();
-  if (base != nullptr && settings.only_finer_than_base && other.x < source.x && other.y < source.y) {
+  if (base != nullptr && other.x < source.x && other.y < source.y) {
     const glm::dvec2 base_texel = glm::dvec2(source) / glm::dvec2(other);
     const Field coarse = smooth_heights(heights, settings, target, glm::max(base_texel, sigma));
     for (std::size_t i = 0; i < h.values.size(); ++i) h.values[i] -= coarse.values[i];

@@ -19,10 +19,6 @@ struct DisplacementSettings {
   AssetWrap wrap_u = AssetWrap::repeat, wrap_v = AssetWrap::repeat;
   /// normal scale of the base map; the result includes it, so use the result with scale 1
   double base_scale = 1;
-  /// True: where the base map is coarser, takes from the heights only detail finer than its texels. Both maps
-  /// describe the same skin, and wrinkles in both would count twice (on the scan their slopes correlate with
-  /// 0.3). False: adds all.
-  bool only_finer_than_base = true;
 };
 
 inline constexpr int max_normal_map_side = 4096;

@@ -50,9 +50,9 @@ vec2 exit_offset(AlongSkin along, float border_mm, vec3 n, vec3 to_eye) {
   return vec2(dot(along.u, away_m), dot(along.v, away_m));
 }
 
-// Returns how much more or less light leaves than from a flat half-space: curved_total(), slab_front() and
-// exit_factor() of tissue/profile/shape_laws.h. shape: mean and half difference of the principal curvatures
-// per mm, thickness in mm. cosine: of the angle of exit.
+// Returns how much more or less light leaves than from a flat half-space: curved_total() and slab_front() of
+// tissue/profile/shape_laws.h, and the exit of ShapeLaws. shape: mean and half difference of the principal
+// curvatures per mm, thickness in mm. cosine: of the angle of exit.
 vec3 shape_factor(vec3 shape, float cosine) {
   const vec3 bend = shape.x > 0.0 ? terms.shape.convex_mm : -terms.shape.concave_mm;
   const vec3 below = max(1.0 + bend * shape.x + terms.shape.difference_mm * shape.y, 0.5);
