@@ -193,7 +193,7 @@ void HostFrames::State::record_depth(VkCommandBuffer commands, const std::array<
   const std::vector<passes::Instance> on_device = frame.scene().instances();
   for (const setup::Head& head : frame.setup().heads)
     if (scene.instance(ids[head.instance]).visible)
-      shown.push_back({.scene = on_device[head.instance].scene,
+      shown.push_back({.asset = on_device[head.instance].asset,
                        .look = on_device[head.instance].look,
                        .vertices = move.vertices_of(head.instance),
                        .posed = frame.posed().shape(head.instance),

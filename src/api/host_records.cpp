@@ -5,8 +5,8 @@
 
 namespace dermis::api {
 
-HostRecords::HostRecords(std::span<const setup::Subject* const> subjects, float unlit_rest) {
-  for (const setup::Subject* subject : subjects) {
+HostRecords::HostRecords(std::span<const setup::SubjectPointer> subjects, float unlit_rest) {
+  for (const setup::SubjectPointer& subject : subjects) {
     for (const scene::SkinMesh& mesh : subject->skin)
       unlit_.push_back(
           {.uv_scale = mesh.unwrap_scale, .uv_offset = mesh.unwrap_offset, .unlit_rest = unlit_rest});

@@ -27,7 +27,7 @@ static_assert(sizeof(HostRecord) == 40);
 class HostRecords {
  public:
   HostRecords() = default;
-  HostRecords(std::span<const setup::Subject* const> subjects, float unlit_rest);
+  HostRecords(std::span<const setup::SubjectPointer> subjects, float unlit_rest);
 
   /// Returns those of a frame.
   std::vector<HostRecord> of(const passes::FrameData& frame, const setup::FrameSetup& setup) const;

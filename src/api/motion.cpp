@@ -33,7 +33,7 @@ void Motion::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, cons
 
     // Without a pose of its own then, it stood as it was loaded.
     if (instance.placements.empty() || stood.posed == now.posed) continue;
-    for (const passes::GpuSurfaces::Page& page : instance.scene->surfaces.pages)
+    for (const passes::GpuSurfaces::Page& page : instance.asset->surfaces.pages)
       instance.placements_before.push_back(
           stood.posed ? gpu::BufferBinding{memory.add(std::span<const io::PlacementIo>(
                             passes::posed_placements(page, *now.asset, stood.posed->rig)))}

@@ -140,7 +140,7 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
                     listed_names(settings.output.show, names));
 }
 
-void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects,
+void fill_counts(Statistics& st, std::span<const setup::SubjectPointer> subjects,
                  const RenderSettings& settings, const setup::FrameSetup& setup,
                  std::span<const std::byte> counters) {
   st.technique = setup.technique->name;
@@ -155,10 +155,10 @@ void fill_counts(Statistics& st, std::span<const setup::Subject* const> subjects
   st.distance = settings.camera.distance;
   st.d_ref = setup.d_ref;
   st.tone_map = name_of(settings.output.tone_map);
-  std::set<const setup::Subject*> seen;
-  for (const setup::Subject* subject : subjects) {
+  std::set<setup::SubjectPointer> seen;
+  for (const setup::SubjectPointer& subject : subjects) {
     if (!seen.insert(subject).second) continue;
-    for (const scene::Material& m : subject->scene->materials)
+    for (const scene::Material& m : subject->asset->materials)
       if (m.skin) st.skin_materials.push_back(m.name);
   }
 

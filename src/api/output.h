@@ -31,7 +31,7 @@ void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames
 
 /// `counters` as read back from FrameOutputs::counters.
 /// `subjects`: one per instance.
-void fill_counts(Statistics& statistics, std::span<const setup::Subject* const> subjects,
+void fill_counts(Statistics& statistics, std::span<const setup::SubjectPointer> subjects,
                  const RenderSettings& settings, const setup::FrameSetup& setup,
                  std::span<const std::byte> counters);
 

@@ -36,11 +36,12 @@ void check_layers(const Scene& scene, const setup::FrameSetup& setup, const gpu:
 }
 
 // Once for each asset is enough, however many views follow.
-void warn_coarse_once(const SceneOnDevice& scene, const setup::FrameSetup& setup) {
+void warn_coarse_once(const SceneOnDevice& scene, const setup::PlacedScene& placed,
+                      const setup::FrameSetup& setup) {
   bool warned = true;
   for (const AssetPointer& asset : scene.different_assets())
     warned = std::exchange(asset->warned_coarse, true) && warned;
-  if (!warned) setup::warn_coarse(scene.subjects(), setup);
+  if (!warned) setup::warn_coarse(placed, setup);
 }
 
 }  // namespace
@@ -57,10 +58,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
   check_device_limits(settings, limits);
 
   SceneOnDevice next_scene(renderer_->assets_of(scene));
-  Input input{.placed = placed_scene(scene, next_scene.skin_spheres()),
-              .subjects = next_scene.subjects(),
-              .environment_lights = {},
-              .host = host};
+  Input input{.placed = placed_scene(scene, next_scene.subjects()), .environment_lights = {}, .host = host};
   setup::take_profile(input.placed, settings);
   const std::shared_ptr<const setup::EnvironmentLight> next_environment =
       options_.picture ? renderer_->environment_light(scene, settings) : nullptr;
@@ -69,7 +67,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
 
   setup::FrameSetup next = set_up(input, settings);
   check_layers(scene, next, limits);
-  warn_coarse_once(next_scene, next);
+  warn_coarse_once(next_scene, input.placed, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, settings);
 
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work
@@ -109,9 +107,8 @@ setup::FrameSetup PlannedFrame::set_up(const Input& input, const RenderSettings&
   const setup::DeviceTraits traits{.memory_bytes = device().summary().memory_bytes,
                                    .max_image_side = limits.max_image_side,
                                    .max_array_layers = limits.max_array_layers};
-  setup::FrameSetup setup =
-      setup::set_up(input.placed, input.subjects, settings, traits, input.environment_lights,
-                    input.host ? &*input.host : nullptr, options_.all_views);
+  setup::FrameSetup setup = setup::set_up(input.placed, settings, traits, input.environment_lights,
+                                          input.host ? &*input.host : nullptr, options_.all_views);
   setup.plan.picture = options_.picture;
   setup.plan.display = options_.display;
   setup.plan.linear = options_.linear;
@@ -129,7 +126,7 @@ void PlannedFrame::set_view(const CameraMatrices& camera, const VkRect2D& area) 
   check_device_limits(settings, device().limits());
 
   setup::FrameSetup next = setup_;
-  setup::set_view(next, input_.placed, input_.subjects, settings, *input_.host);
+  setup::set_view(next, input_.placed, settings, *input_.host);
   const std::optional<passes::PictureFormat>& picture = next.plan.host->picture;
   if (picture && setup::is_reversed(camera) != picture->reversed_depth)
     throw input_error("", "view.camera has depth that {} with the distance; picture.reversed_depth is {}",

@@ -92,7 +92,6 @@ class PlannedFrame {
   /// Inputs of a setup.
   struct Input {
     setup::PlacedScene placed;
-    std::vector<const setup::Subject*> subjects;  // of scene_, one per instance
     std::optional<std::vector<scene::Light>> environment_lights;
     std::optional<setup::HostSetup> host;
   };

@@ -43,12 +43,12 @@ gpu::Texture written_map(gpu::Device& device, const std::string& name, std::uint
 
 std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device, const AssetPointer& asset) {
   passes::GpuAsset& scene = *asset->gpu;
-  scene.make_rig(device, *asset->subject.scene, asset->subject.skin);
+  scene.make_rig(device, *asset->subject->asset, asset->subject->skin);
   auto posed = std::make_shared<Posed>();
   posed->asset = asset;
   posed->has_shape = asset->has_shape;
   for (std::size_t i = 0; asset->has_shape && i < scene.skin.size(); ++i)
-    scene.make_rig_curvature(device, i, asset->subject.skin[i], environment::curvature_scales);
+    scene.make_rig_curvature(device, i, asset->subject->skin[i], environment::curvature_scales);
 
   std::vector<std::pair<const gpu::Buffer*, const gpu::Buffer*>> copies;
   passes::PosedShape& shape = posed->shape;
@@ -76,7 +76,7 @@ std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device,
 
 void PosedInstances::make_sky(gpu::Device& device, Posed& posed) {
   if (!posed.shape.sky.empty()) return;
-  const setup::Subject& subject = posed.asset->subject;
+  const setup::Subject& subject = *posed.asset->subject;
   passes::GpuAsset& scene = *posed.asset->gpu;
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {
     passes::GpuRig::Skin& skin = scene.rig->skin[i];
@@ -180,7 +180,7 @@ bool PosedInstances::is_lit(const Current& current) {
 
 void PosedInstances::add_move(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data) {
   data.moves.push_back({.shape = &current.posed->shape,
-                        .scene = &*current.posed->asset->gpu,
+                        .asset = &*current.posed->asset->gpu,
                         .matrices = memory.add(std::span<const glm::mat4x3>(matrices_of(*current.pose))),
                         .weights = memory.add(std::span<const float>(weights_of(*current.pose)))});
   current.posed->moved = current.change;
@@ -189,7 +189,7 @@ void PosedInstances::add_move(gpu::FrameMemory& memory, const Current& current, 
 void PosedInstances::add_sky_turn(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data) {
   const io::SkyHarmonicsIo sky = harmonics_of(*current.sky);
   data.sky_turns.push_back({.shape = &current.posed->shape,
-                            .scene = &*current.posed->asset->gpu,
+                            .asset = &*current.posed->asset->gpu,
                             .sky = memory.add(std::span<const io::SkyHarmonicsIo>(&sky, 1))});
   current.posed->lit = current.change;
   current.posed->lit_by = current.sky;
@@ -222,12 +222,12 @@ passes::RigMove PosedInstances::recorded_move(gpu::Cmd& cmd, const Current& curr
   cmd.update(posed.weights, std::as_bytes(std::span(weights)));
   for (std::size_t p = 0; p < posed.placements.size(); ++p) {
     const std::vector<io::PlacementIo> placements = passes::posed_placements(
-        posed.asset->gpu->surfaces.pages[p], *posed.asset->subject.scene, current.pose->rig);
+        posed.asset->gpu->surfaces.pages[p], *posed.asset->subject->asset, current.pose->rig);
     cmd.update(posed.placements[p], std::as_bytes(std::span(placements)));
   }
   posed.moved = current.change;
   return {.shape = &posed.shape,
-          .scene = &*posed.asset->gpu,
+          .asset = &*posed.asset->gpu,
           .matrices = {&posed.matrices},
           .weights = {&posed.weights}};
 }
@@ -238,7 +238,7 @@ passes::SkyTurn PosedInstances::recorded_turn(gpu::Cmd& cmd, const Current& curr
   cmd.update(posed.sky, std::as_bytes(std::span(&sky, 1)));
   posed.lit = current.change;
   posed.lit_by = current.sky;
-  return {.shape = &posed.shape, .scene = &*posed.asset->gpu, .sky = {&posed.sky}};
+  return {.shape = &posed.shape, .asset = &*posed.asset->gpu, .sky = {&posed.sky}};
 }
 
 void PosedInstances::record(gpu::Cmd& cmd) {
@@ -275,10 +275,10 @@ std::vector<gpu::BufferBinding> PosedInstances::placements(std::size_t instance)
 
 void PosedInstances::add_placements(gpu::FrameMemory& memory, const Current& current,
                                     passes::Instance& instance) {
-  const std::vector<passes::GpuSurfaces::Page>& pages = instance.scene->surfaces.pages;
+  const std::vector<passes::GpuSurfaces::Page>& pages = instance.asset->surfaces.pages;
   for (std::size_t p = 0; has_copies(pages) && p < pages.size(); ++p)
     instance.placements.push_back(memory.add(std::span<const io::PlacementIo>(
-        passes::posed_placements(pages[p], *current.posed->asset->subject.scene, current.pose->rig))));
+        passes::posed_placements(pages[p], *current.posed->asset->subject->asset, current.pose->rig))));
 }
 
 void PosedInstances::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data,

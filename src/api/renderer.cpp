@@ -50,7 +50,7 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   std::map<std::shared_ptr<const scene::AssetData>, api::AssetPointer> known;
   std::erase_if(live_assets, [&](const std::weak_ptr<api::SharedAsset>& live) {
     const api::AssetPointer asset = live.lock();
-    if (asset) known[asset->subject.scene] = asset;
+    if (asset) known[asset->subject->asset] = asset;
     return !asset;
   });
 
@@ -128,21 +128,17 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
     environment_lights = setup::environment_lights(
         environment::split_sources(setup::read_environment(*source)).sources, settings);
 
-  std::map<std::shared_ptr<const scene::AssetData>, setup::Subject> examined;
-  std::vector<const setup::Subject*> subjects;
-  std::vector<scene::BoundingSphere> spheres;
+  std::map<std::shared_ptr<const scene::AssetData>, setup::SubjectPointer> examined;
+  std::vector<setup::SubjectPointer> subjects;
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
-    const std::shared_ptr<const scene::AssetData> asset = Asset::State::of(placed.instance.asset);
-    auto found = examined.find(asset);
-    if (found == examined.end()) found = examined.emplace(asset, setup::examine(asset)).first;
-    subjects.push_back(&found->second);
-    spheres.push_back(found->second.bounds.sphere);
+    setup::SubjectPointer& subject = examined[Asset::State::of(placed.instance.asset)];
+    if (!subject) subject = setup::examine(Asset::State::of(placed.instance.asset));
+    subjects.push_back(subject);
   }
 
-  setup::PlacedScene placed = api::placed_scene(scene, spheres);
+  setup::PlacedScene placed = api::placed_scene(scene, subjects);
   setup::take_profile(placed, settings);
-  const setup::FrameSetup setup =
-      setup::set_up(placed, subjects, settings, {}, environment_lights, nullptr, false);
+  const setup::FrameSetup setup = setup::set_up(placed, settings, {}, environment_lights, nullptr, false);
   passes::FramePlan plan;
   setup.technique->build(plan, setup.plan);
   return dot ? frame::print_dot(plan) : frame::print_text(plan);

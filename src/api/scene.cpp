@@ -146,6 +146,7 @@ InstanceId Scene::add(const Instance& instance) {
       .id = InstanceId{state_->next_id},
       .instance = instance,
       .placed = {.asset = {},
+                 .subject = {},
                  .sphere = {},
                  .world_from_asset = checked_transform(instance.world_from_asset),
                  .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
@@ -334,14 +335,14 @@ scene::Light placed_light(const Light& light, const setup::Similarity& world_fro
           .radius = static_cast<float>(light.radius) * scale};
 }
 
-setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::BoundingSphere>& spheres) {
+setup::PlacedScene placed_scene(const Scene& scene, std::span<const setup::SubjectPointer> subjects) {
   const Scene::State& state = scene.state();
   setup::PlacedScene placed{.name = scene.name(), .instances = {}, .lights = {}};
-  for (std::size_t i = 0; i < state.instances.size(); ++i) {
-    const Scene::State::PlacedInstance& from = state.instances[i];
+  for (const Scene::State::PlacedInstance& from : state.instances) {
     setup::PlacedAsset& to = placed.instances.emplace_back(from.placed);
     to.asset = Asset::State::of(from.instance.asset);
-    to.sphere = spheres.at(i);
+    if (!subjects.empty()) to.subject = subjects[placed.instances.size() - 1];
+    to.sphere = to.subject ? to.subject->bounds.sphere : scene::skin_sphere(*to.asset);
     to.posed_change = from.changes.rig;
   }
 
@@ -353,12 +354,7 @@ setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::Bou
   return placed;
 }
 
-setup::PlacedScene placed_scene(const Scene& scene) {
-  std::vector<scene::BoundingSphere> spheres;
-  for (const Scene::State::PlacedInstance& placed : scene.state().instances)
-    spheres.push_back(scene::skin_sphere(*Asset::State::of(placed.instance.asset)));
-  return placed_scene(scene, spheres);
-}
+setup::PlacedScene placed_scene(const Scene& scene) { return placed_scene(scene, {}); }
 
 }  // namespace api
 }  // namespace dermis

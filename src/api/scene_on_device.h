@@ -18,7 +18,7 @@ namespace dermis::api {
 
 /// An asset, examined and (once a frame has found room) on the device; shared by all that show it.
 struct SharedAsset {
-  setup::Subject subject;
+  setup::SubjectPointer subject;
   std::optional<Asset> source{};        ///< whose landmarks divide the skin; none: not asked for
   std::optional<passes::GpuAsset> gpu;  ///< looks point into it: never moved
   /// one per skin mesh, once an environment was asked for; values are on the device only
@@ -53,9 +53,8 @@ class SceneOnDevice {
   /// `assets`: one per instance.
   explicit SceneOnDevice(std::vector<AssetPointer> assets) : assets_(std::move(assets)) {}
 
-  std::vector<const setup::Subject*> subjects() const;      ///< one per instance
-  std::vector<scene::BoundingSphere> skin_spheres() const;  ///< one per instance, in its asset
-  std::vector<AssetPointer> different_assets() const;       ///< each once
+  std::vector<setup::SubjectPointer> subjects() const;  ///< one per instance
+  std::vector<AssetPointer> different_assets() const;   ///< each once
   const AssetPointer& asset(std::size_t instance) const { return assets_[instance]; }
   const std::shared_ptr<const SharedLook>& look(std::size_t instance) const {  ///< after upload()
     return looks_[instance];

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "dermis/scene.h"
 #include "render/setup/placed_scene.h"
+#include "render/setup/subject.h"
 
 namespace dermis {
 
@@ -50,11 +52,10 @@ namespace api {
 /// Returns what the asset of a scene of one instance holds.
 const scene::AssetData& only_asset(const Scene& scene);
 
-/// Returns the scene as a frame or the reference takes it. `spheres`: that around the skin of each instance's
-/// asset, in its own coordinates.
-setup::PlacedScene placed_scene(const Scene& scene, const std::vector<scene::BoundingSphere>& spheres);
-/// Likewise, and finds the spheres.
+/// Returns the scene as the reference and cameras take it: without subjects.
 setup::PlacedScene placed_scene(const Scene& scene);
+/// Returns the scene as a frame takes it. `subjects`: one per instance.
+setup::PlacedScene placed_scene(const Scene& scene, std::span<const setup::SubjectPointer> subjects);
 
 /// Returns a light of the scene as it stands: what a file has at one of its nodes moves with the pose of its
 /// instance.

@@ -13,7 +13,7 @@ namespace dermis::passes {
 
 /// For shaders that know their triangle: render/shaders/first_corner.glsl.
 inline gpu::BufferBinding first_corners(const Instance& instance, std::size_t number) {
-  return {&instance.scene->skin[number].first_corners};
+  return {&instance.asset->skin[number].first_corners};
 }
 
 /// Offers an instance, its skin mesh `number` and a material.
@@ -31,7 +31,7 @@ inline void offer_skin(Bindings& bindings, const Instance& instance, std::size_t
 template <class PipelineOf, class IoOf = std::nullptr_t>
 void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, const Bindings& bindings,
                const PipelineOf& pipeline_of, const IoOf& io_of = nullptr, gpu::BufferBinding indices = {}) {
-  const GpuMesh& mesh = instance.scene->skin[number];
+  const GpuMesh& mesh = instance.asset->skin[number];
   if (!indices.buffer) indices = {&mesh.indices};
   for (const GpuDraw& draw : mesh.draws) {
     const GpuMaterial& material = instance.look->material(draw.material);

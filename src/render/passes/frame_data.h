@@ -60,21 +60,21 @@ struct PosedShape {
 /// An instance that this frame moves.
 struct RigMove {
   const PosedShape* shape = nullptr;
-  const GpuAsset* scene = nullptr;       ///< with its rig
+  const GpuAsset* asset = nullptr;       ///< with its rig
   gpu::BufferBinding matrices, weights;  ///< mat4x3[], float[]: scene::PosedRig
 };
 
 /// An instance whose light of the sky this frame finds anew.
 struct SkyTurn {
   const PosedShape* shape = nullptr;
-  const GpuAsset* scene = nullptr;  ///< with its rig
+  const GpuAsset* asset = nullptr;  ///< with its rig
   gpu::BufferBinding sky;           ///< SkyHarmonicsIo
 };
 
 /// One head in the frame: an asset, placed. Each has its own shadow maps.
 struct Instance {
   std::uint32_t number = 0;         ///< among the heads of the scene, however the plan sorts them
-  const GpuAsset* scene = nullptr;  ///< shared by all instances of the asset
+  const GpuAsset* asset = nullptr;  ///< shared by all instances of the asset
   const GpuLook* look = nullptr;    ///< its materials
   std::span<const SkyMaps> sky;     ///< one per skin mesh of the asset; only with an environment
   gpu::BufferBinding io;            ///< HeadIo

@@ -88,14 +88,14 @@ double reference_distance(const Subject& subject, const RenderSettings& s, const
   const double fov_y_rad = camera.fov_y_rad;
   const double pixels = s.output.height * density_across(s, camera);
   const double d_mm = pixels / 2.0 / (density * std::tan(fov_y_rad / 2));
-  return d_mm / (subject.bounds.sphere.radius_m * subject.scene->mm_per_unit);
+  return d_mm / (subject.bounds.sphere.radius_m * subject.asset->mm_per_unit);
 }
 
 double pixels_per_mm(const Subject& subject, const RenderSettings& s, const scene::Camera& camera,
                      const Similarity& world_from_asset, const PosedAsset* posed) {
   if (camera.orthographic) {
     const double pixels = s.output.height * density_across(s, camera);
-    return pixels / (2.0 * camera.ymag_m * subject.scene->mm_per_unit) * double{world_from_asset.scale};
+    return pixels / (2.0 * camera.ymag_m * subject.asset->mm_per_unit) * double{world_from_asset.scale};
   }
 
   // In the asset, where lengths are in the same proportion.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "base/core/assert.h"
@@ -132,8 +131,8 @@ void set_up_shadows(Head& head, const std::vector<scene::Light>& lights, const p
 }
 
 // Decides all that follows from the camera: how large each head shows, and whether at all.
-void set_up_camera(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
-                   const RenderSettings& s, const HeadSpheres& spheres, const HostSetup* host) {
+void set_up_camera(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
+                   const HeadSpheres& spheres, const HostSetup* host) {
   const scene::Camera camera = choose_camera(scene, s, spheres);
   io::CameraIo& seen_by = setup.frame.camera;
   seen_by = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
@@ -141,20 +140,20 @@ void set_up_camera(FrameSetup& setup, const PlacedScene& scene, std::span<const 
     seen_by.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
                                    : picture_from_world(*s.camera.matrices, camera);
   setup.frame.picture_size = glm::uvec2(s.output.width, s.output.height);
-  setup.d_ref = reference_distance(*subjects.front(), s, camera);
+  setup.d_ref = reference_distance(*scene.instances.front().subject, s, camera);
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
   for (Head& head : setup.heads) {
-    const Subject& subject = *subjects[head.instance];
-    const PosedAsset* posed = scene.instances[head.instance].posed.get();
+    const PlacedAsset& instance = scene.instances[head.instance];
+    const Subject& subject = *instance.subject;
+    const PosedAsset* posed = instance.posed.get();
     head.middle_m = head.world_from_asset.position((posed ? posed->skin : subject.bounds).sphere.centre_m);
     const Casters casters(subject, posed, head.world_from_asset, is_deformed(host, head));
     set_up_shadows(head, setup.lights, casters.bounds(), s, camera, host);
 
     if (!subject.skin.empty())
       head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, head.world_from_asset, posed);
-    head.visible = scene.instances[head.instance].visible &&
-                   (!skip || in_view(subject, seen_by, head.world_from_asset, posed));
+    head.visible = instance.visible && (!skip || in_view(subject, seen_by, head.world_from_asset, posed));
     // A host may move vertices anywhere.
     const glm::uvec2 size = setup.frame.picture_size;
     head.area = !head.visible             ? passes::PixelArea{}
@@ -214,7 +213,7 @@ bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
 }
 
 // Returns the number of Gaussians of the profile of a part, that without width too.
-int gaussians_of(const techniques::SkinMesh& part) {
+int gaussians_of(const techniques::PlannedMesh& part) {
   const auto has_weight = [](const gaussians::Rgb& weight) { return weight != gaussians::Rgb{}; };
   const std::vector<Gaussian>& terms = part.profile.terms;
   const bool all_leaves = terms.size() == 1 && !has_weight(terms.front().weight);
@@ -223,19 +222,19 @@ int gaussians_of(const techniques::SkinMesh& part) {
 
 // The light of a host is that of light maps, which hold what has scattered. Its shaders find them by texture
 // coordinates, scaled and moved: see scene::lay_charts_apart().
-void check_host_maps(const FrameSetup& setup, std::span<const Subject* const> subjects) {
+void check_host_maps(const FrameSetup& setup, const PlacedScene& scene) {
   const techniques::FrameSettings& plan = setup.plan;
   if (!plan.host || !(plan.host_lights() || plan.host->scattered)) return;
-  for (const Subject* subject : subjects)
-    for (const scene::SkinMesh& mesh : subject->skin)
+  for (const PlacedAsset& instance : scene.instances)
+    for (const scene::SkinMesh& mesh : instance.subject->skin)
       if (mesh.layers > 1)
-        throw input_error(subject->scene->name,
+        throw input_error(instance.asset->name,
                           "skin '{}' has charts on the same texture coordinates, so its light map lays them "
                           "apart. A host that reads or draws that light needs an unwrap without overlaps",
                           mesh.name);
 
   if (!plan.host_lights()) return;
-  for (const techniques::SkinMesh& part : plan.skin)
+  for (const techniques::PlannedMesh& part : plan.skin)
     if (part.unscattered != gaussians::Rgb{})
       throw input_error("", "a profile with a variance of 0 mm^2 does not go with light that a host draws");
 }
@@ -265,8 +264,8 @@ void check_published(const FrameSetup& setup) {
     throw input_error("", "technique '{}' takes no poses; take texture-space", setup.technique->name);
 }
 
-void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
-                 const RenderSettings& s, const DeviceTraits& device, bool every_view) {
+void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s,
+                 const DeviceTraits& device, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
 
   plan.width = static_cast<std::uint32_t>(s.output.width);
@@ -301,7 +300,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
     plan.mask = s.quality.mask.value_or(BlurMask::depth);
     plan.all_mapped = setup.technique->as_published;
   }
-  set_up_map_sides(setup, subjects, s, every_view);
+  set_up_map_sides(setup, scene, s, every_view);
 
   if (setup.technique->uses_profile) {
     plan.translucency =
@@ -315,7 +314,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
     plan.taps = static_cast<std::uint32_t>(s.quality.taps.value_or(0));
   }
 
-  for (const techniques::SkinMesh& part : plan.skin)
+  for (const techniques::PlannedMesh& part : plan.skin)
     setup.gaussians = std::max(setup.gaussians, gaussians_of(part));
   if (!setup.technique->uses_profile) setup.gaussians = 0;
 
@@ -329,30 +328,30 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, std::span<const Su
 double clip_margin_m(const FrameSetup& setup, const RenderSettings& s) {
   if (s.quality.clip_margin_mm) return *s.quality.clip_margin_mm / 1000;
   double reach_m = 0;
-  for (const techniques::SkinMesh& part : setup.plan.skin)
+  for (const techniques::PlannedMesh& part : setup.plan.skin)
     reach_m = std::max(reach_m, 3 * std::sqrt(part.profile.max_variance_mm2()) / part.mm_per_unit);
   return reach_m;
 }
 
 }  // namespace
 
-void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup) {
-  const auto widest_texels = [&](const techniques::SkinMesh& part) {
+void warn_coarse(const PlacedScene& scene, const FrameSetup& setup) {
+  const auto widest_texels = [&](const techniques::PlannedMesh& part) {
     return std::sqrt(part.profile.max_variance_mm2()) * part.least_uv_per_mm * part.map_size;
   };
-  const techniques::SkinMesh* worst = nullptr;
-  for (const techniques::SkinMesh& part : setup.plan.skin)
+  const techniques::PlannedMesh* worst = nullptr;
+  for (const techniques::PlannedMesh& part : setup.plan.skin)
     if (part.mean_uv_per_mm > 0 && (!worst || widest_texels(part) < widest_texels(*worst))) worst = &part;
   if (!worst || !setup.plan.mixes()) return;
   if (widest_texels(*worst) > 0.15) return;
 
   const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
-  const Subject& subject = *subjects[source.instance];
+  const Subject& subject = *scene.instances[source.instance].subject;
   warn(
       "{}: a twentieth of skin '{}' has {:.2g} texels per mm of light map or fewer: light does not scatter "
       "there. Coordinates that fill more of the square hold more, or a larger quality.map_size, where that "
       "bounds the maps ({} texels are taken)",
-      subject.scene->name, subject.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size,
+      subject.asset->name, subject.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size,
       worst->map_size);
 }
 
@@ -373,11 +372,9 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
   return drawn;
 }
 
-FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects, const RenderSettings& s,
-                  const DeviceTraits& device,
+FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const DeviceTraits& device,
                   const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host,
                   bool every_view) {
-  DERMIS_ASSERT_EQ(subjects.size(), scene.instances.size());
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.heads = placed_heads(scene, s);
@@ -388,8 +385,8 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
     setup.environment_lights = static_cast<int>(environment_lights->size());
   }
 
-  set_up_camera(setup, scene, subjects, s, spheres, host);
-  set_up_models(setup, scene, subjects, s);
+  set_up_camera(setup, scene, s, spheres, host);
+  set_up_models(setup, scene, s);
   if (host) {
     setup.plan.host = host->part;
     for (Head& head : setup.heads)
@@ -399,14 +396,14 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const PlacedAsset& instance) { return instance.posed != nullptr; });
   setup.plan.environment = environment_lights.has_value();
-  set_up_plan(setup, scene, subjects, s, device, every_view);
+  set_up_plan(setup, scene, s, device, every_view);
   if (host) setup.plan.samples = host->samples;
   sort_heads(setup, s);
   setup.plan.keep_shadows = s.quality.keep_shadows && s.output.show == "picture" &&
                             can_keep_shadows(setup.plan, *setup.technique, device, every_view);
   check_numbers(setup);
   check_published(setup);
-  check_host_maps(setup, subjects);
+  check_host_maps(setup, scene);
   place_shadows(setup.heads, setup.plan);
 
   io::FrameIo& frame = setup.frame;
@@ -419,10 +416,9 @@ FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subj
   return setup;
 }
 
-void set_view(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
-              const RenderSettings& s, const HostSetup& host) {
-  set_up_camera(setup, scene, subjects, s, head_spheres(scene, s), &host);
-  set_head_sides(setup, subjects, s);
+void set_view(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s, const HostSetup& host) {
+  set_up_camera(setup, scene, s, head_spheres(scene, s), &host);
+  set_head_sides(setup, scene, s);
   sort_heads(setup, s);
   place_shadows(setup.heads, setup.plan);
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "dermis/settings.h"
@@ -89,25 +88,24 @@ struct HostSetup {
 };
 
 /// Decides what a frame needs. Reads no file: take_profile() of choose.h has. `settings` have passed
-/// check_settings(): who calls this checks them before reading surroundings. `subjects`: one per instance.
+/// check_settings(): who calls this checks them before reading surroundings. Each instance has a subject.
 /// `environment_lights`: besides those that the settings choose; none: there is no environment, light from
 /// everywhere is uniform. Throws InputError: no instance, or a row of several; see choose_camera(); or a map
 /// budget that does not hold one head. With a `host`, the frame is for its targets: the plan does not depend
 /// on the size of the picture, and the matrices of the camera are the host's, depth included. With
 /// `every_view` the plan serves every camera; else this one, and takes no more memory for light and shadow
 /// maps than its heads use.
-FrameSetup set_up(const PlacedScene& scene, std::span<const Subject* const> subjects,
-                  const RenderSettings& settings, const DeviceTraits& device = {},
+FrameSetup set_up(const PlacedScene& scene, const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::optional<std::vector<scene::Light>>& environment_lights = {},
                   const HostSetup* host = nullptr, bool every_view = true);
 
 /// Takes a setup with a `host` and `every_view`, and all that it was made from, to the camera and the size of
 /// the picture that `settings` have. The plan serves all of these. Throws InputError, half way: no camera.
-void set_view(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
-              const RenderSettings& settings, const HostSetup& host);
+void set_view(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& settings,
+              const HostSetup& host);
 
 /// Warns, in one line, if parts of the skin have so few texels that terms are lit at the pixel. The line says
 /// which mesh has fewest, how many, what that means and what helps.
-void warn_coarse(std::span<const Subject* const> subjects, const FrameSetup& setup);
+void warn_coarse(const PlacedScene& scene, const FrameSetup& setup);
 
 }  // namespace dermis::setup

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "render/setup/frame_camera.h"
 #include "render/techniques/mapped_terms.h"
@@ -56,7 +57,7 @@ void hold_what_shows(FrameSetup& setup, std::uint32_t limit, bool every_view) {
       if (head.model == number) head.detail.side = std::min(head.detail.side, finest.side);
     if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
 
-    for (techniques::SkinMesh& part : std::span(plan.skin).subspan(model.first_mesh, model.meshes)) {
+    for (techniques::PlannedMesh& part : std::span(plan.skin).subspan(model.first_mesh, model.meshes)) {
       part.map_size = finest.side;
       part.first_mapped = techniques::first_mapped(part, finest);
       const auto is_coarse = [&](const Head& head) {
@@ -77,7 +78,7 @@ std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, cons
   return {sides.begin(), sides.end()};
 }
 
-void set_head_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s) {
+void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s) {
   const techniques::FrameSettings& plan = setup.plan;
   if (plan.skin.empty() || !setup.technique->has_light_maps) return;
 
@@ -90,15 +91,15 @@ void set_head_sides(FrameSetup& setup, std::span<const Subject* const> subjects,
     detail.side = model.meshes > 0 ? plan.map_size_of(plan.skin[model.first_mesh]) : plan.map_size;
     if (plan.mixes())
       detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, detail.side);
-    else if (plan.optimise.depth && !subjects[head.instance]->skin.empty())
-      detail.side = static_cast<std::uint32_t>(paper_side(*subjects[head.instance], s, detail.pixels_per_mm));
+    else if (const Subject& subject = *scene.instances[head.instance].subject;
+             plan.optimise.depth && !subject.skin.empty())
+      detail.side = static_cast<std::uint32_t>(paper_side(subject, s, detail.pixels_per_mm));
   }
 }
 
-void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects, const RenderSettings& s,
-                      bool every_view) {
+void set_up_map_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s, bool every_view) {
   const std::uint32_t limit = setup.plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
-  set_head_sides(setup, subjects, s);
+  set_head_sides(setup, scene, s);
   if (!setup.plan.skin.empty() && setup.plan.mixes()) hold_what_shows(setup, limit, every_view);
 }
 

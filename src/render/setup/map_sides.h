@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "render/setup/frame_setup.h"
@@ -14,11 +13,10 @@ namespace dermis::setup {
 std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, const RenderSettings& settings);
 
 /// Decides T of each head, at most T_max of its model.
-void set_head_sides(FrameSetup& setup, std::span<const Subject* const> subjects,
-                    const RenderSettings& settings);
+void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& settings);
 
 /// Decides how large light maps are: T_max of the plan, and T of each head. `every_view`: see set_up().
-void set_up_map_sides(FrameSetup& setup, std::span<const Subject* const> subjects,
-                      const RenderSettings& settings, bool every_view);
+void set_up_map_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& settings,
+                      bool every_view);
 
 }  // namespace dermis::setup

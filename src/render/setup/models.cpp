@@ -64,7 +64,7 @@ void choose_shape(ScatterProfile& profile, const RenderSettings& s) {
 }
 
 // Takes the light that leaves where it entered out of the profile. A light map has at least one term.
-void take_unscattered(techniques::SkinMesh& part) {
+void take_unscattered(techniques::PlannedMesh& part) {
   std::vector<Gaussian>& terms = part.profile.terms;
   if (terms.empty() || terms.front().variance_mm2 > 0) return;
   part.unscattered = terms.front().weight;
@@ -72,13 +72,13 @@ void take_unscattered(techniques::SkinMesh& part) {
   if (terms.empty()) terms.push_back({.variance_mm2 = 1, .weight = {}});
 }
 
-techniques::SkinMesh skin_part(const ModelKey& model, std::size_t number, const RenderSettings& s) {
+techniques::PlannedMesh skin_part(const ModelKey& model, std::size_t number, const RenderSettings& s) {
   const Subject& subject = *model.subject;
   const scene::SkinMesh& mesh = subject.skin[number];
   const scene::UnwrapDensity& density = subject.densities[number];
   const auto material = static_cast<std::size_t>(mesh.triangle_material.front());
 
-  techniques::SkinMesh part;
+  techniques::PlannedMesh part;
   part.in_model = static_cast<std::uint32_t>(number);
   part.triangles = static_cast<std::uint32_t>(mesh.triangle_chart.size());
   part.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -86,10 +86,10 @@ techniques::SkinMesh skin_part(const ModelKey& model, std::size_t number, const 
   part.draws = static_cast<std::uint32_t>(draws.size());
   part.parts = 0;
   for (const passes::GpuDraw& draw : draws) part.parts += draw.parts();
-  part.profile = choose_profile(subject.scene->materials[material], model.profile);
+  part.profile = choose_profile(subject.asset->materials[material], model.profile);
   choose_shape(part.profile, s);
   take_unscattered(part);
-  part.mm_per_unit = subject.scene->mm_per_unit;
+  part.mm_per_unit = subject.asset->mm_per_unit;
   if (model.scale != 1) {
     part.profile = in_asset(part.profile, double{model.scale});
     part.mm_per_unit /= double{model.scale};
@@ -105,7 +105,7 @@ techniques::SkinMesh skin_part(const ModelKey& model, std::size_t number, const 
   part.off_map = scene::has_chartless(mesh);
   part.kinds.reset();
   for (const int index : mesh.triangle_material) {
-    const scene::Material& of_triangle = subject.scene->materials[static_cast<std::size_t>(index)];
+    const scene::Material& of_triangle = subject.asset->materials[static_cast<std::size_t>(index)];
     const passes::SkinKind kind{.cut_out = of_triangle.alpha_mode == AssetAlpha::mask,
                                 .emits = of_triangle.emissive != glm::vec3(0),
                                 .detailed = of_triangle.skin_settings.detail.present()};
@@ -126,8 +126,7 @@ void fill_surfaces(techniques::Model& model, const scene::AssetData& scene) {
 
 }  // namespace
 
-void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const Subject* const> subjects,
-                   const RenderSettings& s) {
+void set_up_models(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s) {
   techniques::FrameSettings& plan = setup.plan;
   plan.models.clear();
   // Models that differ in no more than their profile.
@@ -139,7 +138,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
 
   for (Head& head : setup.heads) {
     const PlacedAsset& instance = scene.instances[head.instance];
-    const ModelKey key{.subject = subjects[head.instance],
+    const ModelKey key{.subject = instance.subject.get(),
                        .scale = head.world_from_asset.scale,
                        .profile = instance.profile,
                        .posed = instance.posed ? std::optional(head.instance) : std::nullopt};
@@ -155,7 +154,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, std::span<const 
     if (is_new) unwraps += meshes;
 
     techniques::Model model{.first_mesh = static_cast<std::uint32_t>(plan.skin.size()), .meshes = meshes};
-    fill_surfaces(model, *key.subject->scene);
+    fill_surfaces(model, *key.subject->asset);
     for (std::uint32_t mesh = 0; mesh < meshes; ++mesh) {
       plan.skin.push_back(skin_part(key, mesh, s));
       plan.skin.back().unwrap = unwrap->second + mesh;

@@ -16,6 +16,8 @@
 
 namespace dermis::setup {
 
+struct Subject;
+
 /// From the coordinates of an asset to the world: a rotation, one scale, then a shift.
 struct Similarity {
   glm::mat3 rotation{1};
@@ -45,7 +47,8 @@ struct PosedAsset {
 
 struct PlacedAsset {
   std::shared_ptr<const scene::AssetData> asset;
-  scene::BoundingSphere sphere;  ///< of the asset's skin as it was loaded, in its own coordinates
+  std::shared_ptr<const Subject> subject;  ///< what a frame shows of it; null: this is for no frame
+  scene::BoundingSphere sphere;            ///< of the asset's skin as it was loaded, in its own coordinates
   Similarity world_from_asset;
   std::shared_ptr<const PosedAsset> posed;  ///< null: as the asset was loaded
   std::uint64_t posed_change = 0;           ///< InstanceChanges::rig

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/setup/subject.h"
 
+#include <utility>
+
 #include "base/core/error.h"
 #include "base/core/hooks.h"
 #include "base/core/warnings.h"
@@ -10,25 +12,25 @@
 
 namespace dermis::setup {
 
-Subject examine(std::shared_ptr<const scene::AssetData> scene) {
+SubjectPointer examine(std::shared_ptr<const scene::AssetData> asset) {
   const WarningGroup group;
   Subject subject;
-  subject.skin = scene::skin_meshes(*scene);
+  subject.skin = scene::skin_meshes(*asset);
   Steps steps("measuring the unwrap", subject.skin.size());
   for (const scene::SkinMesh& mesh : subject.skin) {
     scene::warn_overlap(mesh);
-    subject.densities.push_back(scene::unwrap_density(mesh, scene->mm_per_unit));
+    subject.densities.push_back(scene::unwrap_density(mesh, asset->mm_per_unit));
     steps.done();
   }
 
-  subject.bounds = scene::skin_bounds(*scene);
+  subject.bounds = scene::skin_bounds(*asset);
   if (!(subject.bounds.sphere.radius_m > 0))
-    throw input_error(scene->name, "has nothing to see: all its triangles lie at one point");
+    throw input_error(asset->name, "has nothing to see: all its triangles lie at one point");
 
-  subject.casters = scene::bounding_sphere(*scene, [](const scene::Primitive&) { return true; });
-  subject.caster_corners_m = scene::enclosing_corners(*scene);
-  subject.scene = std::move(scene);
-  return subject;
+  subject.casters = scene::bounding_sphere(*asset, [](const scene::Primitive&) { return true; });
+  subject.caster_corners_m = scene::enclosing_corners(*asset);
+  subject.asset = std::move(asset);
+  return std::make_shared<const Subject>(std::move(subject));
 }
 
 }  // namespace dermis::setup

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A scene, whatever the settings: its skin as meshes with an unwrap, bounds, densities. Made once per scene.
+/// An asset as frames need it, whatever their settings: its skin as meshes with an unwrap, bounds, densities.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 namespace dermis::setup {
 
 struct Subject {
-  std::shared_ptr<const scene::AssetData> scene;
+  std::shared_ptr<const scene::AssetData> asset;
   std::vector<scene::SkinMesh> skin;
   std::vector<scene::UnwrapDensity> densities;  ///< one per skin mesh
   scene::Bounds bounds;                         ///< of the skin
@@ -20,7 +20,9 @@ struct Subject {
   std::vector<glm::vec3> caster_corners_m;      ///< scene::enclosing_corners() of the same
 };
 
-/// Throws InputError: a scene with nothing to see. Warns of unwraps that overlap.
-Subject examine(std::shared_ptr<const scene::AssetData> scene);
+using SubjectPointer = std::shared_ptr<const Subject>;
+
+/// Throws InputError: an asset with nothing to see. Warns of unwraps that overlap.
+SubjectPointer examine(std::shared_ptr<const scene::AssetData> asset);
 
 }  // namespace dermis::setup

@@ -23,7 +23,7 @@ namespace dermis::techniques {
 /// One skin mesh as the plan needs to know it, in mm of its asset: an instance of scale s has a profile that
 /// is s times narrower there. Texels per mm of a map are uv per mm (texture coordinates, 0..1) times its
 /// side.
-struct SkinMesh {
+struct PlannedMesh {
   ScatterProfile profile;
   /// Light that leaves where it entered: the weight of a Gaussian of variance 0, which `profile` lacks. If
   /// all light does, `profile` has one Gaussian without weight.
@@ -70,7 +70,7 @@ struct SkinMesh {
   passes::ThroughMesh through(std::uint32_t mesh) const {
     return {.mesh = mesh, .profile = profile, .mm_per_unit = mm_per_unit, .first_mapped = first_mapped};
   }
-  bool operator==(const SkinMesh&) const = default;
+  bool operator==(const PlannedMesh&) const = default;
 };
 
 /// Fineness of the light maps and of the pixels of a head.
@@ -146,7 +146,7 @@ struct FrameSettings {
   bool matte = false;               ///< FrameOutputs::matte is written
   std::uint32_t labels = 0;         ///< LABEL_... bits of render/passes/pixels/labels: FrameOutputs::labels
 
-  std::vector<SkinMesh> skin;  ///< the skin meshes of all models
+  std::vector<PlannedMesh> skin;  ///< the skin meshes of all models
   std::vector<Model> models{1};
   ScreenKernel kernel = ScreenKernel::profile;  ///< of techniques in screen space
   std::uint32_t taps = 0;                       ///< of their kernels; 0: as many as usual
@@ -164,7 +164,7 @@ struct FrameSettings {
   std::uint32_t shadow_sets() const { return keep_shadows ? head_count() : heads_per_batch; }
   const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }
   std::uint32_t most_meshes() const;                 ///< of a model
-  std::uint32_t parts_of(const Model& model) const;  ///< SkinMesh::parts of its meshes
+  std::uint32_t parts_of(const Model& model) const;  ///< PlannedMesh::parts of its meshes
   std::uint64_t parts() const;                       ///< of all heads
   bool draws_picture() const { return picture && (!host || host->picture); }
   bool host_lights() const { return host && host->irradiance; }
@@ -176,14 +176,14 @@ struct FrameSettings {
   /// twentieth of its skin exceeds them. T by need suits the mean density. The densest places let taps of the
   /// first step leave texels out there, which saves a step. Its light is off by less than 1 %
   /// (docs/techniques.md).
-  double chain_texels_per_mm(const SkinMesh& part, std::uint32_t side) const {
+  double chain_texels_per_mm(const PlannedMesh& part, std::uint32_t side) const {
     return part.max_texels_per_mm(side) / (mixes() ? 1.5 : 1);
   }
-  double chain_texels_per_mm(const SkinMesh& part) const {
+  double chain_texels_per_mm(const PlannedMesh& part) const {
     return chain_texels_per_mm(part, map_size_of(part));
   }
   /// Returns T_max of the heads that have this mesh.
-  std::uint32_t map_size_of(const SkinMesh& part) const {
+  std::uint32_t map_size_of(const PlannedMesh& part) const {
     return part.map_size > 0 ? part.map_size : map_size;
   }
   bool has_skin() const { return parts() > 0; }

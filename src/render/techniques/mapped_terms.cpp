@@ -30,7 +30,7 @@ double smoothstep(double low, double high, double x) {
 }
 
 // Returns the part of a term that is read from the map.
-float mapped_share(const SkinMesh& part, double sigma_mm, const MapDetail& detail) {
+float mapped_share(const PlannedMesh& part, double sigma_mm, const MapDetail& detail) {
   if (sigma_mm * part.mean_uv_per_mm * detail.side < mapped_sigma_texels) return 0;
   const double over = sigma_mm * detail.pixels_per_mm / least_sigma_pixels(part, sigma_mm) - 1;
   return static_cast<float>(smoothstep(0, 0.5, over));
@@ -40,23 +40,23 @@ float mapped_share(const SkinMesh& part, double sigma_mm, const MapDetail& detai
 
 // Fewer texels raise the error by 3 % on the scan where sigma is under 1.2 pixels, by 9 % in close-ups, and
 // nearer than that a coarse unwrap shows its seams.
-double held_sigma_texels(const SkinMesh& part, double sigma_mm, double pixels_per_mm) {
+double held_sigma_texels(const PlannedMesh& part, double sigma_mm, double pixels_per_mm) {
   return sigma_mm >= part.wide_mm && sigma_mm * pixels_per_mm < 1.2 ? 0.7 : 0.9;
 }
 
-double least_sigma_pixels(const SkinMesh& part, double sigma_mm) {
+double least_sigma_pixels(const PlannedMesh& part, double sigma_mm) {
   if (sigma_mm < part.wide_mm) return 2.5;
   const bool widest = sigma_mm * sigma_mm >= part.profile.max_variance_mm2() * (1 - 1e-9);
   return widest ? 0.35 : 0.6;
 }
 
-float entered_share(const SkinMesh& part, const MapDetail& detail) {
+float entered_share(const PlannedMesh& part, const MapDetail& detail) {
   const double sigma_texels = pixel_sigma / detail.pixels_per_mm * part.mean_uv_per_mm * detail.side;
   const double most = smoothstep(mapped_sigma_texels, 1.5 * mapped_sigma_texels, sigma_texels);
   return static_cast<float>(most_entered_share * most);
 }
 
-std::uint32_t first_mapped(const SkinMesh& part, const MapDetail& finest) {
+std::uint32_t first_mapped(const PlannedMesh& part, const MapDetail& finest) {
   std::uint32_t first = 0;
   for (const Gaussian& term : part.profile.terms) {
     const double sigma_mm = std::sqrt(term.variance_mm2);
@@ -72,7 +72,7 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
   passes::MappedTerms terms;
   if (!settings.mixes()) return terms;
 
-  const SkinMesh& part = settings.skin[mesh];
+  const PlannedMesh& part = settings.skin[mesh];
   const std::span<const Gaussian> mapped = part.mapped();
   for (std::size_t i = 0; i < mapped.size(); ++i) {
     terms.shares[i] = mapped_share(part, std::sqrt(mapped[i].variance_mm2), detail);
@@ -108,7 +108,7 @@ std::vector<passes::MappedTerms> mapped_terms_of(const FrameSettings& settings, 
   return terms;
 }
 
-std::size_t direct_steps(const FrameSettings& settings, const SkinMesh& part) {
+std::size_t direct_steps(const FrameSettings& settings, const PlannedMesh& part) {
   constexpr std::size_t most = 2;
   if (!settings.mixes()) return 1;
   const double reach_mm = passes::kernel_max_sigma / settings.chain_texels_per_mm(part);

@@ -149,7 +149,7 @@ void Screen::add_next_of_entries() {
 }
 
 passes::SkinLook Screen::look_of(passes::SkinLook look) const {
-  const SkinMesh& part = settings_.skin[look.square.mesh];
+  const PlannedMesh& part = settings_.skin[look.square.mesh];
   look.environment = settings_.environment;
   look.soft_shadows = settings_.soft_shadows;
   look.samples = settings_.samples;
@@ -160,7 +160,7 @@ passes::SkinLook Screen::look_of(passes::SkinLook look) const {
 }
 
 passes::SkinLook Screen::whole_look_of(const passes::MapSquare& square) const {
-  const SkinMesh& part = settings_.skin[square.mesh];
+  const PlannedMesh& part = settings_.skin[square.mesh];
   passes::SkinLook look = look_of({.square = square});
   if (settings_.translucency) look.through = part.through(square.mesh);
   return look;
@@ -217,7 +217,7 @@ void Screen::add_pre_integrated_skin(const std::vector<passes::MapSquare>& skin,
   add_entries();
   Together<passes::ShadePreIntegrated>::In shade;
   for (const passes::MapSquare& square : skin) {
-    const SkinMesh& part = settings_.skin[square.mesh];
+    const PlannedMesh& part = settings_.skin[square.mesh];
     passes::ShadePreIntegrated::Settings settings{.look = whole_look_of(square),
                                                   .profile = part.profile,
                                                   .ring = settings_.kernel == ScreenKernel::published,

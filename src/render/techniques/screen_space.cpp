@@ -6,7 +6,7 @@
 
 namespace dermis::techniques {
 
-gaussians::Rgb scattered_share(const FrameSettings&, const SkinMesh& part) {
+gaussians::Rgb scattered_share(const FrameSettings&, const PlannedMesh& part) {
   gaussians::Rgb share{};
   for (std::size_t c = 0; c < 3; ++c) share[c] = 1 - part.unscattered[c];
   return share;
@@ -30,7 +30,7 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
   passes::ScreenSurface surface;
   if (s.has_skin()) surface = passes::make_screen_surface(plan, s.width, s.height, s.samples);
   std::vector<gaussians::Rgb> blurred;
-  for (const SkinMesh& part : s.skin) blurred.push_back(blur.blurred(s, part));
+  for (const PlannedMesh& part : s.skin) blurred.push_back(blur.blurred(s, part));
 
   const std::vector<Batch> batches = batches_of(s);
   for (const Batch& batch : batches) {

@@ -11,7 +11,7 @@ namespace dermis::techniques {
 
 struct ScreenBlur {
   /// Returns the share of the light of a skin mesh that is blurred; the rest is lit at the pixel.
-  gaussians::Rgb (*blurred)(const FrameSettings& settings, const SkinMesh& part);
+  gaussians::Rgb (*blurred)(const FrameSettings& settings, const PlannedMesh& part);
   /// Adds the passes that blur the light of the surface; returns the result.
   frame::TextureId (*add)(passes::FramePlan& plan, const FrameSettings& settings,
                           const passes::ScreenSurface& surface);
@@ -22,6 +22,6 @@ FrameOutputs build_in_screen_space(passes::FramePlan& plan, const FrameSettings&
                                    const ScreenBlur& blur);
 
 /// Returns the share of the light that does not leave where it entered.
-gaussians::Rgb scattered_share(const FrameSettings& settings, const SkinMesh& part);
+gaussians::Rgb scattered_share(const FrameSettings& settings, const PlannedMesh& part);
 
 }  // namespace dermis::techniques

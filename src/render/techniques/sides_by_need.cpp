@@ -15,7 +15,7 @@ constexpr std::uint32_t least_side = 32;
 // Returns the texels of a side on which the narrowest term is held for which `wanted`, at these pixels per
 // mm; 0: there is none.
 template <class Wanted>
-double texels_for(const SkinMesh& part, double pixels_per_mm, const Wanted& wanted) {
+double texels_for(const PlannedMesh& part, double pixels_per_mm, const Wanted& wanted) {
   if (!(part.mean_uv_per_mm > 0)) return 0;
   for (const Gaussian& term : part.profile.terms) {
     const double sigma_mm = std::sqrt(term.variance_mm2);
@@ -44,7 +44,7 @@ std::uint32_t side_of(double texels, std::uint32_t most) {
   return smaller == sides.begin() ? sides.front() : *(smaller - 1);
 }
 
-std::uint32_t near_side(const SkinMesh& part, std::uint32_t most) {
+std::uint32_t near_side(const PlannedMesh& part, std::uint32_t most) {
   const auto is_wide = [&](double sigma_mm) { return sigma_mm >= part.wide_mm; };
   return side_of(texels_for(part, std::numeric_limits<double>::infinity(), is_wide), most);
 }
@@ -53,7 +53,7 @@ std::uint32_t side_by_need(const FrameSettings& settings, const Model& model, do
                            std::uint32_t most) {
   double texels = 0;
   for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh) {
-    const SkinMesh& part = settings.skin[mesh];
+    const PlannedMesh& part = settings.skin[mesh];
     const auto shows = [&](double sigma_mm) {
       return sigma_mm * pixels_per_mm > least_sigma_pixels(part, sigma_mm);
     };

@@ -19,7 +19,7 @@ std::uint32_t side_of(double texels, std::uint32_t most);
 /// Returns the side of maps that hold the wide terms of a skin mesh, at most `most`. Light spreads over these
 /// further than 1 mm, or further than half as far as over the widest; what narrower terms spread shows in
 /// close-ups alone.
-std::uint32_t near_side(const SkinMesh& part, std::uint32_t most);
+std::uint32_t near_side(const PlannedMesh& part, std::uint32_t most);
 
 /// Returns T of a head with FrameSettings::mixes(): of sides_by_need(), at most `most`, large enough for the
 /// terms that spread light over enough pixels (mapped_terms.h). pixels_per_mm: of the asset, where it is

@@ -58,10 +58,10 @@ class Paint {
     cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
 
     passes::Bindings bindings;
-    frame.instances[0].scene->skin[0].offer(bindings);
+    frame.instances[0].asset->skin[0].offer(bindings);
     bindings.bind(cmd, *pipeline_);
     cmd.push(*pipeline_, settings.io);
-    const passes::GpuMesh& mesh = frame.instances[0].scene->skin[0];
+    const passes::GpuMesh& mesh = frame.instances[0].asset->skin[0];
     for (const passes::GpuDraw& draw : mesh.draws)
       cmd.draw_indexed({&mesh.indices}, draw.index_count, draw.first_index);
     cmd.end_rendering();
@@ -143,7 +143,7 @@ struct Moved {
                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     weights =
         gpu::make_buffer(device, "weights", std::span<const float>(w), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    move = {.shape = &shape, .scene = &scene, .matrices = {&matrices}, .weights = {&weights}};
+    move = {.shape = &shape, .asset = &scene, .matrices = {&matrices}, .weights = {&weights}};
   }
 
   passes::PosedShape shape;
@@ -161,7 +161,7 @@ ScatterProfile profile_of(const Experiment& e) {
 
 passes::Instance instance_of(const passes::GpuAsset& scene, const passes::GpuLook& look, std::uint32_t side) {
   passes::Instance instance;
-  instance.scene = &scene;
+  instance.asset = &scene;
   instance.look = &look;
   instance.map_side = side;
   return instance;

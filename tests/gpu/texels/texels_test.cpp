@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -62,7 +61,7 @@ class Frames {
   Frames(std::shared_ptr<const scene::AssetData> scene, const RenderSettings& settings)
       : subject_(setup::examine(std::move(scene))) {
     set_up(settings);
-    scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *subject_.scene, subject_.skin);
+    scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *subject_->asset, subject_->skin);
     look_ = scene_->make_look(bench()->device, {});
     outputs_ = setup_.technique->build(plan_, setup_.plan);
     executor_ = std::make_unique<frame::Executor<passes::FrameData>>(bench()->library, plan_);
@@ -73,10 +72,10 @@ class Frames {
     set_up(settings);
     for (const techniques::GutterSize& size :
          setup_.technique->gutters(setup_.plan, setup::drawn_heads(setup_)))
-      scene_->make_gutters(bench()->device, size.mesh, subject_.skin[size.mesh], size.side,
+      scene_->make_gutters(bench()->device, size.mesh, subject_->skin[size.mesh], size.side,
                            size.width_texels);
     memory_.clear();
-    const passes::Instance instance{.scene = scene_.get(), .look = &look_, .sky = {}};
+    const passes::Instance instance{.asset = scene_.get(), .look = &look_, .sky = {}};
     passes::FrameData data = setup::frame_data(memory_, setup_, outputs_, std::span(&instance, 1), nullptr);
     data.kept_texels = &kept_;
     drawn_before_ = kept_.drawn();
@@ -108,7 +107,7 @@ class Frames {
          setup_.technique->gutters(setup_.plan, setup::drawn_heads(setup_))) {
       if (size.mesh != 0 || size.side != side) continue;
       const passes::GutterList list =
-          passes::gutter_list(subject_.skin[0], static_cast<int>(side), size.width_texels);
+          passes::gutter_list(subject_->skin[0], static_cast<int>(side), size.width_texels);
       for (const scene::GutterTexel& t : list.texels) is_gutter[t.y * side + t.x] = true;
     }
     return is_gutter;
@@ -127,13 +126,16 @@ class Frames {
  private:
   void set_up(const RenderSettings& settings) {
     setup::PlacedScene placed{
-        .name = subject_.scene->name, .instances = {}, .lights = subject_.scene->lights};
-    placed.instances.push_back(
-        {.asset = subject_.scene, .sphere = subject_.bounds.sphere, .profile = {}, .mix = {}});
-    setup_ = setup::set_up(placed, std::array<const setup::Subject*, 1>{&subject_}, settings, {}, {});
+        .name = subject_->asset->name, .instances = {}, .lights = subject_->asset->lights};
+    placed.instances.push_back({.asset = subject_->asset,
+                                .subject = subject_,
+                                .sphere = subject_->bounds.sphere,
+                                .profile = {},
+                                .mix = {}});
+    setup_ = setup::set_up(placed, settings, {}, {});
   }
 
-  setup::Subject subject_;
+  setup::SubjectPointer subject_;
   setup::FrameSetup setup_;
   std::unique_ptr<passes::GpuAsset> scene_;
   passes::GpuLook look_;

@@ -47,11 +47,11 @@ TEST(MapSide, HoldsTheWideTerms) {
   EXPECT_EQ(like_the_scan(32).skin[0].first_mapped, 5u) << "a map has a term";
 
   // A scan four times as large, in mm, has four times fewer texels per mm.
-  SkinMesh coarse = s.skin[0];
+  PlannedMesh coarse = s.skin[0];
   coarse.mean_uv_per_mm /= 4;
   EXPECT_EQ(near_side(coarse, 4096), 2048u);
   // Light that spreads no further than 0.3 mm is on maps, too.
-  SkinMesh wax = s.skin[0];
+  PlannedMesh wax = s.skin[0];
   wax.profile.terms = {{.variance_mm2 = 0.09, .weight = {1, 1, 1}}};
   wax.wide_mm = 0.15;
   EXPECT_EQ(near_side(wax, 4096), 3072u);
@@ -80,11 +80,11 @@ TEST(MapSide, DirectSteps) {
   s.translucency = true;
   EXPECT_EQ(direct_steps(s, s.skin[0]), s.skin[0].through_groups().size() > 1 ? 1u : 2u);
 
-  SkinMesh close = s.skin[0];
+  PlannedMesh close = s.skin[0];
   close.first_mapped = 2;
   ASSERT_EQ(close.through_groups().size(), 2u);
   EXPECT_EQ(direct_steps(s, close), close.through_groups()[1]);
-  SkinMesh dense = s.skin[0];
+  PlannedMesh dense = s.skin[0];
   dense.max_uv_per_mm *= 3;
   EXPECT_EQ(direct_steps(s, dense), 1u) << "no kernel is so wide";
 

@@ -96,14 +96,14 @@ std::vector<Light> lights_around(const BoundingSphere& sphere) {
 void expect_steady_texels(const fs::path& file) {
   const Warnings quiet;
   const auto scene = std::make_shared<const AssetData>(load_gltf(file));
-  const setup::Subject subject = setup::examine(scene);
-  const std::vector<Light> lights = lights_around(subject.casters);
+  const setup::SubjectPointer subject = setup::examine(scene);
+  const std::vector<Light> lights = lights_around(subject->casters);
   std::vector<Steady> found(lights.size());
 
   for (int frame = 0; frame < 48; ++frame) {
     const auto posed = api::posed_asset(*scene, RigPose{.clip = ClipTime{"", frame / 8.0}});
     const std::vector<glm::vec3> vertices_m = posed_vertices(*scene, *posed);
-    const setup::Casters casters(subject, posed.get(), {});
+    const setup::Casters casters(*subject, posed.get(), {});
     for (std::size_t i = 0; i < lights.size(); ++i)
       found[i].add(passes::fit_shadow(lights[i], casters.bounds(), map_size), vertices_m);
   }
@@ -133,8 +133,8 @@ TEST(ShadowCasters, HoldWhatWalksAway) {
   const Warnings quiet;
   const auto scene =
       std::make_shared<const AssetData>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
-  const setup::Subject subject = setup::examine(scene);
-  const std::vector<Light> lights = lights_around(subject.casters);
+  const setup::SubjectPointer subject = setup::examine(scene);
+  const std::vector<Light> lights = lights_around(subject->casters);
 
   for (const auto& to_m : {glm::dvec3(0.2, 0, 0), glm::dvec3(-0.1, 0.3, 0.4), glm::dvec3(3, 0, 5)}) {
     const JointTransform away{.name = "root", .translation = {{to_m.x, to_m.y, to_m.z}}};
@@ -142,7 +142,7 @@ TEST(ShadowCasters, HoldWhatWalksAway) {
     const std::vector<glm::vec3> vertices_m = posed_vertices(*scene, *posed);
     ASSERT_GT(glm::distance(vertices_m[0], vertices_of(*scene)[0]), 0.1f);
     for (const Light& light : lights) {
-      const setup::Casters casters(subject, posed.get(), {});
+      const setup::Casters casters(*subject, posed.get(), {});
       const passes::ShadowFit fit = passes::fit_shadow(light, casters.bounds(), map_size);
       if (fit.shadow_from_world.size() == 1) Steady().add(fit, vertices_m);
     }
@@ -155,11 +155,11 @@ TEST(ShadowCasters, OfARestAreThoseOfTheAsset) {
   const Warnings quiet;
   const auto scene =
       std::make_shared<const AssetData>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
-  const setup::Subject subject = setup::examine(scene);
-  const setup::Casters rest(subject, nullptr, {});
-  for (const Light& light : lights_around(subject.casters))
+  const setup::SubjectPointer subject = setup::examine(scene);
+  const setup::Casters rest(*subject, nullptr, {});
+  for (const Light& light : lights_around(subject->casters))
     EXPECT_EQ(passes::fit_shadow(light, rest.bounds(), map_size).texel,
-              passes::fit_shadow(light, {subject.casters, subject.caster_corners_m}, map_size).texel);
+              passes::fit_shadow(light, {subject->casters, subject->caster_corners_m}, map_size).texel);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // Sets up a frame of one asset, where it stands, with its own lights.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -11,19 +10,21 @@
 
 namespace dermis::setup {
 
-inline PlacedScene alone(const Subject& subject) {
-  PlacedScene scene{.name = subject.scene->name, .instances = {}, .lights = subject.scene->lights};
-  scene.instances.push_back(
-      {.asset = subject.scene, .sphere = subject.bounds.sphere, .profile = {}, .mix = {}});
-  return scene;
+inline PlacedAsset placed(const SubjectPointer& subject) {
+  return {.asset = subject->asset,
+          .subject = subject,
+          .sphere = subject->bounds.sphere,
+          .profile = {},
+          .mix = {}};
 }
 
-inline FrameSetup set_up_alone(const Subject& subject, const RenderSettings& settings,
+inline FrameSetup set_up_alone(const SubjectPointer& subject, const RenderSettings& settings,
                                const std::optional<std::vector<scene::Light>>& environment_lights = {},
                                const HostSetup* host = nullptr) {
-  PlacedScene scene = alone(subject);
+  PlacedScene scene{
+      .name = subject->asset->name, .instances = {placed(subject)}, .lights = subject->asset->lights};
   take_profile(scene, settings);
-  return set_up(scene, std::array{&subject}, settings, {}, environment_lights, host);
+  return set_up(scene, settings, {}, environment_lights, host);
 }
 
 }  // namespace dermis::setup

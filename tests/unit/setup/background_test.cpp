@@ -30,7 +30,7 @@ TEST(BackgroundNames, OthersAreRefused) {
 
 // A host's own picture lies behind the heads.
 TEST(BackgroundNames, AHostHasNone) {
-  const Subject head = examine(std::make_shared<scene::AssetData>(tests::built_in_head()));
+  const SubjectPointer head = examine(std::make_shared<scene::AssetData>(tests::built_in_head()));
   RenderSettings settings;
   settings.output.background = "studio";
   EXPECT_EQ(set_up_alone(head, settings).plan.behind.kind, Kind::studio);

@@ -207,14 +207,14 @@ TEST(Matrices, AnOrthographicCameraSeesWhatLiesBeforeIt) {
 
 // Where the camera stands around a head and how far from it are settings of their own.
 TEST(ChosenCamera, OrbitsAtItsDistance) {
-  const Subject subject = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
+  const SubjectPointer subject = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
   RenderSettings s;
   const auto eye_m = [&] { return glm::dvec3(set_up_alone(subject, s).frame.camera.eye_m); };
   s.camera.orbit_deg = {70, 20};
   const glm::dvec3 framed_m = eye_m();
   s.camera.distance = 6;
   const glm::dvec3 from_six_radii_m = eye_m();
-  EXPECT_NEAR(glm::length(from_six_radii_m), 6 * subject.bounds.sphere.radius_m, 1e-6);
+  EXPECT_NEAR(glm::length(from_six_radii_m), 6 * subject->bounds.sphere.radius_m, 1e-6);
   EXPECT_NEAR(glm::distance(glm::normalize(from_six_radii_m), glm::normalize(framed_m)), 0, 1e-6);
   s.camera.orbit_deg = {0, 0};
   EXPECT_NEAR(glm::distance(eye_m(), glm::dvec3(0, 0, glm::length(from_six_radii_m))), 0, 1e-6);

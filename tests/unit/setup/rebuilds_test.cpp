@@ -24,7 +24,7 @@ namespace {
 /// A scene and settings, which are then changed one at a time.
 struct Frame {
   std::string name;
-  Subject subject;
+  SubjectPointer subject;
   RenderSettings settings;
 };
 
@@ -40,13 +40,13 @@ constexpr Exception exceptions[] = {
     {"skin.mix", "skin alone", "light must enter all that it falls on, and eyes and teeth are no skin"},
 };
 
-Subject head() {
+SubjectPointer head() {
   auto scene = std::make_shared<scene::AssetData>(tests::built_in_head());
   scene->cameras.push_back({.name = "side"});
   return examine(std::move(scene));
 }
 
-Subject skin_alone() {
+SubjectPointer skin_alone() {
   scene::AssetData scene = tests::built_in_head();
   scene.primitives.resize(1);
   scene.rig = nullptr;
@@ -67,7 +67,7 @@ const std::string& medium_file() {
 }
 
 std::vector<Frame> frames() {
-  const Subject subject = head();
+  const SubjectPointer subject = head();
   return {{"the built-in head", subject, {}},
           {"in screen space", subject, {.technique = "separable"}},
           {"heads in the studio",
@@ -151,7 +151,7 @@ struct Tried {
 // Whatever moves the camera makes a new plan where a head comes close or goes far away: that is no row's.
 void leave_out_close_ups(techniques::FrameSettings& plan, const techniques::FrameSettings& before) {
   if (!plan.mixes() || !before.mixes() || plan.skin.size() != before.skin.size()) return;
-  const auto same = [](const techniques::SkinMesh& a, const techniques::SkinMesh& b) {
+  const auto same = [](const techniques::PlannedMesh& a, const techniques::PlannedMesh& b) {
     return a.map_size == b.map_size && a.first_mapped == b.first_mapped && a.reads_entered == b.reads_entered;
   };
   if (std::ranges::equal(plan.skin, before.skin, same)) return;

@@ -28,7 +28,7 @@ class Unscattered : public testing::Test {
   }
 
   tests::TempFolder folder_;
-  Subject ball_ = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
+  SubjectPointer ball_ = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
 };
 
 TEST_F(Unscattered, CountsAsAGaussian) {

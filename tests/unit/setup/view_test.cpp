@@ -2,7 +2,6 @@
 // A view of a host is what a setup of its own would make of it, though its plan is made once.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -34,10 +33,8 @@ class View : public testing::Test {
   // Three heads in a row, and a fourth in the same place as the third, so that their distance is equal.
   View() {
     for (const float x_m : {0.0f, 0.3f, 0.6f, 0.6f}) {
-      PlacedAsset placed{.asset = ball_.scene, .sphere = ball_.bounds.sphere, .profile = {}, .mix = {}};
-      placed.world_from_asset.origin_m = {x_m, 0, 0.1f * x_m};
-      scene_.instances.push_back(placed);
-      subjects_.push_back(&ball_);
+      scene_.instances.push_back(placed(ball_));
+      scene_.instances.back().world_from_asset.origin_m = {x_m, 0, 0.1f * x_m};
     }
     scene_.lights.push_back({.colour = {1, 1, 1}, .direction = {0, -1, -1}, .radius = 0.01f});
     host_.part.picture = passes::PictureFormat{};
@@ -50,10 +47,9 @@ class View : public testing::Test {
     s.output.width = s.output.height = side;
     return s;
   }
-  FrameSetup made_at(const RenderSettings& s) const { return set_up(scene_, subjects_, s, {}, {}, &host_); }
+  FrameSetup made_at(const RenderSettings& s) const { return set_up(scene_, s, {}, {}, &host_); }
 
-  Subject ball_ = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
-  std::vector<const Subject*> subjects_;
+  SubjectPointer ball_ = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
   PlacedScene scene_{.name = "balls", .instances = {}, .lights = {}};
   HostSetup host_;
 };
@@ -65,7 +61,7 @@ TEST_F(View, IsThatOfASetupOfItsOwn) {
     SCOPED_TRACE(distance_m);
     const RenderSettings s = settings_at(distance_m, 480);
     const FrameSetup wanted = made_at(s);
-    set_view(setup, scene_, subjects_, s, host_);
+    set_view(setup, scene_, s, host_);
 
     EXPECT_EQ(setup.plan, wanted.plan);
     expect_equal_bytes<io::FrameIo>({&setup.frame, 1}, {&wanted.frame, 1});

@@ -4,12 +4,12 @@
 namespace dermis::passes {
 
 void offer_mesh(const Instance& instance, std::size_t number, Bindings& bindings) {
-  const GpuMesh& mesh = instance.scene->skin[number];
+  const GpuMesh& mesh = instance.asset->skin[number];
   bindings.add("VertexExtras", mesh.vertex_extras).add("Indices", mesh.indices);
   if (const PosedShape* posed = instance.posed) {
     bindings.add("Vertices", posed->vertices[number])
         .add("SkinVertices", posed->skin_vertices[number])
-        .add("TurnedNeighbours", instance.scene->rig->skin[number].touching_neighbours);
+        .add("TurnedNeighbours", instance.asset->rig->skin[number].touching_neighbours);
     return;
   }
   const bool moved = number < instance.vertices.size();
@@ -20,13 +20,13 @@ void offer_mesh(const Instance& instance, std::size_t number, Bindings& bindings
 
 gpu::BufferBinding placements_of(const Instance& instance, std::uint32_t page) {
   if (!instance.placements.empty()) return instance.placements[page];
-  return {&instance.scene->surfaces.pages[page].placements};
+  return {&instance.asset->surfaces.pages[page].placements};
 }
 
 void offer_page(const Instance& instance, std::uint32_t number, Bindings& bindings) {
-  const GpuSurfaces::Page& page = instance.scene->surfaces.pages[number];
+  const GpuSurfaces::Page& page = instance.asset->surfaces.pages[number];
   const PosedShape* posed = instance.posed;
-  bindings.add("Vertices", posed ? posed->vertices[instance.scene->skin.size() + number] : page.vertices)
+  bindings.add("Vertices", posed ? posed->vertices[instance.asset->skin.size() + number] : page.vertices)
       .add("VertexExtras", page.vertex_extras)
       .add("Placements", placements_of(instance, number));
 }

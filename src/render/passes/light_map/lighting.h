@@ -20,16 +20,16 @@ class LightingSamplers {
              const gpu::Texture& shadow) const {
     bindings.add("Lamps", frame.lamps)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
-        .add("directional_albedo", gpu::SampledBinding{&instance.scene->directional_albedo, table_})
+        .add("directional_albedo", gpu::SampledBinding{&instance.asset->directional_albedo, table_})
         .add("environment_map",
-             gpu::SampledBinding{frame.environment ? frame.environment : &instance.scene->white(), sky_});
+             gpu::SampledBinding{frame.environment ? frame.environment : &instance.asset->white(), sky_});
   }
   /// Offers what skin mesh `number` of the instance's asset sees of the environment.
   void offer_sky(Bindings& bindings, const Instance& instance, std::size_t number) const {
-    const GpuMesh& mesh = instance.scene->skin[number];
+    const GpuMesh& mesh = instance.asset->skin[number];
     const bool sky = number < instance.sky.size();
-    const gpu::Texture *bent_normal = mesh.bent_normal ? &mesh.bent_normal : &instance.scene->white(),
-                       *light = sky ? &instance.sky[number].light : &instance.scene->white_layers();
+    const gpu::Texture *bent_normal = mesh.bent_normal ? &mesh.bent_normal : &instance.asset->white(),
+                       *light = sky ? &instance.sky[number].light : &instance.asset->white_layers();
 
     if (sky && instance.posed && number < instance.posed->sky.size()) {
       const PosedShape::Sky& turned = instance.posed->sky[number];

@@ -59,8 +59,8 @@ bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
 void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
                        const io::ShadowIo& io) const {
   Bindings bindings;
-  bindings.add("Frame", frame.frame_io).add("Placements", instance.scene->unmoved);
-  for (std::size_t mesh = 0; mesh < instance.scene->skin.size(); ++mesh)
+  bindings.add("Frame", frame.frame_io).add("Placements", instance.asset->unmoved);
+  for (std::size_t mesh = 0; mesh < instance.asset->skin.size(); ++mesh)
     passes::draw_skin(
         cmd, instance, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) {
@@ -71,7 +71,7 @@ void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& in
 
 void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
                            const io::ShadowIo& io) const {
-  const GpuSurfaces& surfaces = instance.scene->surfaces;
+  const GpuSurfaces& surfaces = instance.asset->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
     const GpuMaterial& material = instance.look->material(group.material);
     if (!casts(material, cut_out)) continue;

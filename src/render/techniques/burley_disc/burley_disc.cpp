@@ -15,7 +15,7 @@ constexpr TapRange disc_taps_range{.least = 1, .most = 4096, .usual = 64};
 constexpr double reach_share = 0.997;
 
 // Of a profile without width the disc has none either; nothing of its light is blurred.
-bool spreads(const SkinMesh& part) {
+bool spreads(const PlannedMesh& part) {
   return std::ranges::any_of(part.profile.terms, [](const Gaussian& term) {
     return term.weight[0] > 0 || term.weight[1] > 0 || term.weight[2] > 0;
   });
@@ -25,7 +25,7 @@ std::uint32_t disc_taps_per_pixel(const FrameSettings& settings) {
   return settings.taps > 0 ? settings.taps : disc_taps_range.usual;
 }
 
-passes::Disc disc_of(const FrameSettings& settings, const SkinMesh& part) {
+passes::Disc disc_of(const FrameSettings& settings, const PlannedMesh& part) {
   const auto taps = static_cast<int>(disc_taps_per_pixel(settings));
   passes::Disc disc{.taps = std::vector<gaussians::DiscTap>(static_cast<std::size_t>(taps)),
                     .profile = part.profile,
@@ -53,7 +53,7 @@ frame::TextureId add_disc(passes::FramePlan& plan, const FrameSettings& settings
   passes::DiscGather::Settings gather{.discs = {},
                                       .burley = settings.kernel == ScreenKernel::published,
                                       .ue = settings.kernel == ScreenKernel::ue};
-  for (const SkinMesh& part : settings.skin) gather.discs.push_back(disc_of(settings, part));
+  for (const PlannedMesh& part : settings.skin) gather.discs.push_back(disc_of(settings, part));
   return plan.add<passes::DiscGather>("disc", {surface}, gather).light;
 }
 

@@ -23,7 +23,7 @@ std::vector<frame::BufferId> add_curvatures(passes::FramePlan& plan, const Frame
     const Model& model = settings.model_of(head);
     for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh) {
       if (curvatures[mesh].valid()) continue;
-      const SkinMesh& part = settings.skin[mesh];
+      const PlannedMesh& part = settings.skin[mesh];
       curvatures[mesh] =
           plan.buffer(label_part("curvature", settings, mesh),
                       {.bytes = std::max(part.vertices, 1u) * sizeof(float)}, frame::Lifetime::persistent);

@@ -77,7 +77,7 @@ void Final::offer(passes::Bindings& bindings, const frame::Resources& resources,
   // A binding without a term is never read, but a sampled texture must be bound.
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], i < in.lights.size() ? resources.linear(in.lights[i])
-                                                : resources.linear(instance.scene->white()));
+                                                : resources.linear(instance.asset->white()));
 }
 
 void Final::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {

@@ -18,7 +18,7 @@ class Final {
  public:
   struct Settings {
     Object object;
-    SkinMesh part;
+    PlannedMesh part;
     std::uint32_t samples = 1;     ///< of the targets
     passes::PictureFormat format;  ///< of the targets
     bool clear = false;            ///< this pass is the first to draw into them

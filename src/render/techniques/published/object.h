@@ -14,7 +14,7 @@ using passes::mesh_in_asset;
 
 /// Returns the scene's mesh of an object.
 inline const passes::GpuMesh& mesh_of(const FrameData& frame, const Object& object) {
-  return instance_of(frame, object).scene->skin[mesh_in_asset(frame, object)];
+  return instance_of(frame, object).asset->skin[mesh_in_asset(frame, object)];
 }
 
 /// Returns whether the object is lit in this frame. Nothing is spent on heads wholly outside the picture.

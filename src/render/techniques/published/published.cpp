@@ -38,7 +38,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& s) {
   const std::uint32_t side = s.square_side > 0 ? s.square_side : s.map_size;
   gpu::TextureDesc map{.width = side, .height = side, .format = passes::light_format};
   std::size_t terms = 0;
-  for (const SkinMesh& part : s.skin) terms = std::max(terms, part.profile.terms.size());
+  for (const PlannedMesh& part : s.skin) terms = std::max(terms, part.profile.terms.size());
 
   for (std::size_t k = 0; k < terms; ++k) blurred.push_back(plan.texture(fmt::format("light {}", k), map));
   irradiance = plan.texture("irradiance", map);
@@ -191,7 +191,7 @@ class AddObject {
   const LightMaps* maps_;
   frame::BufferId kept_;
   Object object_;
-  const SkinMesh* part_;
+  const PlannedMesh* part_;
   frame::TextureId stretch_;
   std::uint32_t number_;
   std::vector<frame::TextureId> joining_;
@@ -229,7 +229,7 @@ std::vector<frame::TextureId> add_stretch(passes::FramePlan& plan, const FrameSe
 
 frame::BufferId make_kept(passes::FramePlan& plan, const FrameSettings& s) {
   std::uint64_t triangles = 1;
-  for (const SkinMesh& part : s.skin) triangles = std::max<std::uint64_t>(triangles, part.triangles);
+  for (const PlannedMesh& part : s.skin) triangles = std::max<std::uint64_t>(triangles, part.triangles);
   return plan.buffer("kept triangles", {.bytes = 3 * sizeof(std::uint32_t) * triangles});
 }
 

@@ -19,7 +19,7 @@ namespace {
 void add_object(FrameReport& report, const FrameSettings& settings, std::span<const std::uint32_t> counters,
                 const DrawnHead& head, std::uint32_t mesh_in_model) {
   const std::uint32_t mesh = settings.models[head.model].first_mesh + mesh_in_model;
-  const SkinMesh& part = settings.skin[mesh];
+  const PlannedMesh& part = settings.skin[mesh];
   const auto counted = [&](ObjectCounter which) -> std::uint64_t {
     return counters[object_counter(settings, head.head, mesh_in_model, which)];
   };
@@ -58,7 +58,7 @@ FrameReport report(const FrameSettings& settings, std::span<const std::uint32_t>
 std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn) {
   std::vector<GutterSize> sizes;
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
-    const SkinMesh& part = settings.skin[mesh];
+    const PlannedMesh& part = settings.skin[mesh];
     const auto add = [&](std::uint32_t side) {
       const double texels_per_mm = std::max(part.max_uv_per_mm * side, 1e-6);
       sizes.push_back({.mesh = mesh, .side = side, .width_texels = seam_width(part.profile, texels_per_mm)});

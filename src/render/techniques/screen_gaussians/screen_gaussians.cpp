@@ -18,7 +18,7 @@ constexpr TapRange gaussian_taps{.least = 5, .most = 13, .usual = 13, .odd = tru
 
 // The published skin has a part that is not blurred, whatever the profile, unless no light is to scatter at
 // all.
-gaussians::Rgb share_of_gaussians(const FrameSettings& settings, const SkinMesh& part) {
+gaussians::Rgb share_of_gaussians(const FrameSettings& settings, const PlannedMesh& part) {
   gaussians::Rgb share = scattered_share(settings, part);
   if (settings.kernel != ScreenKernel::published || share == gaussians::Rgb{}) return share;
   for (std::size_t c = 0; c < 3; ++c) share[c] = 1 - gaussians::published_skin_gaussians().unblurred[c];
@@ -26,7 +26,7 @@ gaussians::Rgb share_of_gaussians(const FrameSettings& settings, const SkinMesh&
 }
 
 // The steps of the chain of a skin mesh, narrow to wide, with weights that sum to 1.
-std::vector<passes::GaussianStep> gaussian_steps(const FrameSettings& settings, const SkinMesh& part) {
+std::vector<passes::GaussianStep> gaussian_steps(const FrameSettings& settings, const PlannedMesh& part) {
   const std::vector<Gaussian> terms = settings.kernel == ScreenKernel::published
                                           ? gaussians::published_skin_gaussians().terms
                                           : part.profile.terms;
@@ -56,7 +56,7 @@ std::uint32_t gaussian_taps_of(const FrameSettings& settings) {
 std::uint32_t gaussian_taps_per_pixel(const FrameSettings& settings) {
   const bool published = settings.kernel == ScreenKernel::published;
   std::size_t longest = 0;
-  for (const SkinMesh& part : settings.skin)
+  for (const PlannedMesh& part : settings.skin)
     longest = std::max(longest, gaussian_steps(settings, part).size());
   return static_cast<std::uint32_t>(longest) * 2 *
          (published ? gaussian_taps.published : gaussian_taps_of(settings));
@@ -66,7 +66,7 @@ frame::TextureId add_gaussians(passes::FramePlan& plan, const FrameSettings& set
                                const passes::ScreenSurface& surface) {
   std::vector<std::vector<passes::GaussianStep>> chains;
   std::size_t longest = 0;
-  for (const SkinMesh& part : settings.skin) {
+  for (const PlannedMesh& part : settings.skin) {
     chains.push_back(gaussian_steps(settings, part));
     longest = std::max(longest, chains.back().size());
   }

@@ -16,7 +16,7 @@ bool is_published(const FrameSettings& settings) { return settings.kernel == Scr
 
 // The published kernel knows no profile, and has a part that stays where it is. It blurs all light, unless no
 // light is to scatter at all.
-gaussians::Rgb blurred(const FrameSettings& settings, const SkinMesh& part) {
+gaussians::Rgb blurred(const FrameSettings& settings, const PlannedMesh& part) {
   const gaussians::Rgb share = scattered_share(settings, part);
   if (!is_published(settings)) return share;
   return share == gaussians::Rgb{} ? share : gaussians::Rgb{1, 1, 1};
@@ -29,7 +29,7 @@ std::uint32_t line_taps(const FrameSettings& settings) {
 // Both passes.
 std::uint32_t line_taps_per_pixel(const FrameSettings& settings) { return 2 * line_taps(settings); }
 
-passes::LineKernel kernel_of(const FrameSettings& settings, const SkinMesh& part) {
+passes::LineKernel kernel_of(const FrameSettings& settings, const PlannedMesh& part) {
   const auto taps = static_cast<int>(line_taps(settings));
   return {.taps = is_published(settings) ? gaussians::published_line_kernel(taps)
                                          : gaussians::line_spread_kernel(part.profile, taps),
@@ -40,7 +40,7 @@ passes::LineKernel kernel_of(const FrameSettings& settings, const SkinMesh& part
 frame::TextureId add_lines(passes::FramePlan& plan, const FrameSettings& settings,
                            const passes::ScreenSurface& surface) {
   passes::SeparableBlur::Settings blur{.kernels = {}, .axis = 0, .published = is_published(settings)};
-  for (const SkinMesh& part : settings.skin) blur.kernels.push_back(kernel_of(settings, part));
+  for (const PlannedMesh& part : settings.skin) blur.kernels.push_back(kernel_of(settings, part));
   const frame::TextureId rows =
       plan.add<passes::SeparableBlur>("separable 1", {surface.light, surface}, blur).light;
   blur.axis = 1;

@@ -42,7 +42,7 @@ class MakeChain {
         light_{.blurred = maps.light(), .start = maps.light()} {}
 
   MeshSteps make() {
-    const SkinMesh& part = settings_->skin[mesh_];
+    const PlannedMesh& part = settings_->skin[mesh_];
     const std::vector<std::size_t> groups = part.through_groups();
     const std::vector<passes::BlurStep> steps =
         passes::blur_steps(part.mapped(), settings_->chain_texels_per_mm(part));

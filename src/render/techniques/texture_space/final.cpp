@@ -31,18 +31,18 @@ std::vector<float> sigmas_mm(std::span<const Gaussian> terms) {
 }
 
 // Returns the maps that hold the light of a profile, one per term.
-std::vector<frame::TextureId> read_maps(const LightMaps& maps, const SkinMesh& part) {
+std::vector<frame::TextureId> read_maps(const LightMaps& maps, const PlannedMesh& part) {
   const auto count = static_cast<std::ptrdiff_t>(part.mapped_count());
   return {maps.blurred().begin(), maps.blurred().begin() + count};
 }
 
-passes::TermsOnMap terms_on_map(const SkinMesh& part) {
+passes::TermsOnMap terms_on_map(const PlannedMesh& part) {
   return {
       .sigmas_mm = sigmas_mm(part.mapped()), .shape = part.profile.shape, .mm_per_unit = part.mm_per_unit};
 }
 
 SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const passes::MapSquare& square) {
-  const SkinMesh& part = settings.skin[square.mesh];
+  const PlannedMesh& part = settings.skin[square.mesh];
   std::optional<passes::ThroughMesh> through;
   if (settings.translucency) through = part.through(square.mesh);
 

@@ -23,16 +23,16 @@ using passes::MapSquare;
 LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Screen& screen)
     : plan_(&plan), settings_(&settings), screen_(&screen), pool_(settings) {
   std::uint32_t materials = 1;
-  for (const SkinMesh& part : settings.skin) materials = std::max(materials, part.draws);
+  for (const PlannedMesh& part : settings.skin) materials = std::max(materials, part.draws);
   tiles_ = passes::make_tile_lists(plan, pool_.squares(), pool_.cell_side(), materials);
   texels_ = passes::make_texel_map(plan, pool_.texture());
 
   light_ = entered_ = make_map("irradiance");
-  const bool reads_entered = std::ranges::any_of(settings.skin, &SkinMesh::reads_entered);
+  const bool reads_entered = std::ranges::any_of(settings.skin, &PlannedMesh::reads_entered);
   if (settings.translucency && reads_entered) entered_ = make_map("entered light");
   std::size_t terms = 0, groups = 1, scratch = 1;
   bool chains = false;  // blurs of some mesh begin after others have ended
-  for (const SkinMesh& part : settings.skin) {
+  for (const PlannedMesh& part : settings.skin) {
     terms = std::max<std::size_t>(terms, part.mapped_count());
     groups = std::max(groups, part.through_groups().size());
     const std::size_t direct = direct_steps(settings, part);
@@ -64,13 +64,13 @@ void LightMaps::make_stretch() {
   const auto lifetime = pool_.splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
   std::uint32_t maps = pool_.splits_heads() ? pool_.meshes_per_batch() : 0;
   if (!pool_.splits_heads())
-    for (const SkinMesh& part : settings_->skin) maps = std::max(maps, part.unwrap + 1);
+    for (const PlannedMesh& part : settings_->skin) maps = std::max(maps, part.unwrap + 1);
   for (std::uint32_t number = 0; number < maps; ++number)
     stretch_.push_back(plan_->texture(label_part("stretch", *settings_, number), map, lifetime));
 }
 
 frame::TextureId LightMaps::stretch(std::uint32_t mesh) const {
-  const SkinMesh& part = settings_->skin[mesh];
+  const PlannedMesh& part = settings_->skin[mesh];
   return stretch_[pool_.splits_heads() ? part.in_model % pool_.meshes_per_batch() : part.unwrap];
 }
 
@@ -137,12 +137,12 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
     plan_->add<passes::HostIrradiance>(name("host irradiance"), {host_irradiance_}, {.squares = all});
 
   // Light the texels of the tiles that are seen, and gather what comes through the body.
-  const std::vector<SkinMesh>& skin = settings_->skin;
+  const std::vector<PlannedMesh>& skin = settings_->skin;
   passes::Irradiance::Settings irradiance{
       .squares = all,
       .environment = settings_->environment,
       .soft_shadows = settings_->soft_shadows,
-      .cut_out = std::any_of(skin.begin(), skin.end(), [](const SkinMesh& part) { return part.cut_out; }),
+      .cut_out = std::any_of(skin.begin(), skin.end(), [](const PlannedMesh& part) { return part.cut_out; }),
       .from_host = settings_->host_lights(),
       .through = {}};
   if (settings_->translucency)
@@ -177,7 +177,7 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
     plan_->add<passes::ClearBuffers>(name("clear tiles"), {{tiles_.marks, tiles_.counts, tiles_.arguments}});
 
   std::vector<float> exit_offsets;
-  for (const SkinMesh& part : settings_->skin) {
+  for (const PlannedMesh& part : settings_->skin) {
     const auto& shape = part.profile.shape;
     const double offset_mm = shape ? std::ranges::max(shape->exit_offset_mm) : 0;
     exit_offsets.push_back(static_cast<float>(offset_mm * part.max_uv_per_mm));
@@ -199,7 +199,7 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
 // Finds which triangle each texel shows.
 void LightMaps::add_texel_map(const std::vector<MapSquare>& all) {
   std::vector<std::uint32_t> unwraps;
-  for (const SkinMesh& part : settings_->skin) unwraps.push_back(part.unwrap);
+  for (const PlannedMesh& part : settings_->skin) unwraps.push_back(part.unwrap);
   plan_->add<passes::TexelMap>(name("texel map"), {texels_}, {all, unwraps});
 }
 

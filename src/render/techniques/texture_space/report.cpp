@@ -21,7 +21,7 @@ struct Work {
 };
 
 // Follows the steps of add_convolution() for a head, and counts instead of adding passes.
-Work work_of(const FrameSettings& settings, const SkinMesh& part, std::uint32_t side,
+Work work_of(const FrameSettings& settings, const PlannedMesh& part, std::uint32_t side,
              const passes::MappedTerms& mapped) {
   Work work;
   if (!mapped.any) return work;
@@ -103,7 +103,7 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
   if (settings.optimise.cull || settings.optimise.clip) report.mask = "tiles";
   report.translucency = settings.translucency;
   report.shape_aware = std::any_of(settings.skin.begin(), settings.skin.end(),
-                                   [](const SkinMesh& part) { return part.profile.shape.has_value(); });
+                                   [](const PlannedMesh& part) { return part.profile.shape.has_value(); });
   report.irradiance_texels = figures.irradiance_texels;
   report.convolved_texels = figures.convolved_texels;
   report.launched = figures.launched;
@@ -118,7 +118,7 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
   std::vector<GutterSize> sizes;
 
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
-    const SkinMesh& part = settings.skin[mesh];
+    const PlannedMesh& part = settings.skin[mesh];
     const auto add = [&](std::uint32_t side) {
       sizes.push_back({.mesh = mesh,
                        .side = side,

@@ -32,7 +32,7 @@ void Gutters::refresh(gpu::Cmd& cmd, const frame::Resources& resources, const Gp
 
 void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const auto mesh_of = [&](const MapSquare& square) -> const GpuMesh& {
-    return instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)];
+    return instance_of(frame, square).asset->skin[mesh_in_asset(frame, square)];
   };
 
   if (settings.what != What::stretch) {

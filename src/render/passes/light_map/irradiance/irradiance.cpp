@@ -63,7 +63,7 @@ void LitTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
     samplers_.offer_sky(bindings, instance, mesh);
     if (through) through_.offer(bindings, resources, in.entering, in.shadow, entry);
 
-    const std::vector<GpuDraw>& draws = instance.scene->skin[mesh].draws;
+    const std::vector<GpuDraw>& draws = instance.asset->skin[mesh].draws;
     for (std::size_t k = 0; k < draws.size(); ++k) {
       const GpuMaterial& material = instance.look->material(draws[k].material);
       const gpu::Pipeline& pipeline = *pipelines_[material.cut_out][entry];

@@ -37,7 +37,7 @@ void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fr
     if (!must_draw(frame, square)) continue;
     const Instance& instance = instance_of(frame, square);
     const std::uint32_t number = mesh_in_asset(frame, square);
-    const gpu::Buffer& indices = instance.scene->skin[number].indices;
+    const gpu::Buffer& indices = instance.asset->skin[number].indices;
     Bindings bindings;
     offer_mesh(instance, number, bindings);
 

@@ -34,7 +34,7 @@ void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
     offer_mesh(instance, number, bindings);
     bindings.bind(cmd, pipeline());
 
-    const std::vector<GpuDraw>& draws = instance.scene->skin[number].draws;
+    const std::vector<GpuDraw>& draws = instance.asset->skin[number].draws;
     for (std::size_t k = 0; k < draws.size(); ++k) {
       io::SeenTilesIo io{
           .cull = cull_io(instance, instance.look->material(draws[k].material)),
@@ -84,7 +84,7 @@ void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   const gpu::Buffer& marks = resources.buffer(in.lists.marks);
   const std::vector<UsedSquare> squares = used_squares(frame, settings.squares);
   for (const UsedSquare& square : squares) {
-    const auto& gutters = instance_of(frame, square).scene->skin[mesh_in_asset(frame, square)].gutters;
+    const auto& gutters = instance_of(frame, square).asset->skin[mesh_in_asset(frame, square)].gutters;
     const auto found = gutters.find(square.side);
     const bool linked = found != gutters.end() && found->second.count > 0;
     Bindings()

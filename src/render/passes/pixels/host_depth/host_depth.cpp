@@ -10,7 +10,7 @@ namespace dermis::passes {
 namespace {
 
 Instance shape_of(const HostDepthInstance& instance) {
-  return {.scene = instance.scene,
+  return {.asset = instance.asset,
           .look = instance.look,
           .vertices = instance.vertices,
           .posed = instance.posed,
@@ -39,8 +39,8 @@ void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
                           const HostDepthTarget& target) const {
   const Instance of_skin = shape_of(instance);
   Bindings bindings;
-  bindings.add("Placements", instance.scene->unmoved);
-  for (std::size_t mesh = 0; mesh < instance.scene->skin.size(); ++mesh)
+  bindings.add("Placements", instance.asset->unmoved);
+  for (std::size_t mesh = 0; mesh < instance.asset->skin.size(); ++mesh)
     passes::draw_skin(
         cmd, of_skin, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) {
@@ -53,7 +53,7 @@ void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
 
 void HostDepth::draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance,
                               const HostDepthTarget& target) const {
-  const GpuSurfaces& surfaces = instance.scene->surfaces;
+  const GpuSurfaces& surfaces = instance.asset->surfaces;
   const Instance shape = shape_of(instance);
   for (const GpuSurfaces::Group& group : surfaces.groups) {
     const GpuMaterial& material = instance.look->material(group.material);

@@ -28,7 +28,7 @@ struct HostDepthTarget {
 
 /// One instance: neither lights nor maps are needed.
 struct HostDepthInstance {
-  const GpuAsset* scene = nullptr;
+  const GpuAsset* asset = nullptr;
   const GpuLook* look = nullptr;
   // As those of Instance.
   std::span<const gpu::Buffer> vertices;

@@ -45,7 +45,7 @@ void FrontLayer::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   cmd.begin_rendering(std::span(&layer, 1), depth, {settings.width, settings.height});
   for (const Instance& instance : frame.instances) {
     if (!instance.visible) continue;
-    const GpuSurfaces& surfaces = instance.scene->surfaces;
+    const GpuSurfaces& surfaces = instance.asset->surfaces;
     for (const GpuSurfaces::Blended& part : surfaces.blended) {
       const GpuMaterial& material = instance.look->material(part.material);
       bind_label_surface(cmd, *pipelines_[material.double_sided], frame, instance, part.page, material,

@@ -106,14 +106,14 @@ const gpu::Pipeline* Labels::pipeline_of(const GpuMaterial& material, bool skin)
 }
 
 void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const {
-  for (std::size_t mesh = 0; mesh < instance.scene->skin.size(); ++mesh) {
+  for (std::size_t mesh = 0; mesh < instance.asset->skin.size(); ++mesh) {
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
-        .add("Placements", instance.scene->unmoved)
-        .add("BeforePlacements", instance.scene->unmoved)
-        .add("LabelVertices", needs_body(settings.labels) ? instance.scene->skin[mesh].label_vertices
-                                                          : instance.scene->unmoved);
-    offer_before(instance, mesh, instance.scene->unmoved, bindings);
+        .add("Placements", instance.asset->unmoved)
+        .add("BeforePlacements", instance.asset->unmoved)
+        .add("LabelVertices", needs_body(settings.labels) ? instance.asset->skin[mesh].label_vertices
+                                                          : instance.asset->unmoved);
+    offer_before(instance, mesh, instance.asset->unmoved, bindings);
     passes::draw_skin(
         cmd, instance, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) { return pipeline_of(material, true); },
@@ -124,7 +124,7 @@ void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& in
 }
 
 void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const {
-  const GpuSurfaces& surfaces = instance.scene->surfaces;
+  const GpuSurfaces& surfaces = instance.asset->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
     const GpuMaterial& material = instance.look->material(group.material);
     const gpu::Pipeline& pipeline = *pipeline_of(material, false);
@@ -137,14 +137,14 @@ void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance
 void bind_label_surface(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const FrameData& frame,
                         const Instance& instance, std::uint32_t page, const GpuMaterial& material,
                         bool body) {
-  const GpuSurfaces::Page& of_page = instance.scene->surfaces.pages[page];
+  const GpuSurfaces::Page& of_page = instance.asset->surfaces.pages[page];
   Bindings bindings;
   bindings.add("Frame", frame.frame_io)
       .add("Head", instance.io)
-      .add("LabelVertices", body ? of_page.label_vertices : instance.scene->unmoved)
+      .add("LabelVertices", body ? of_page.label_vertices : instance.asset->unmoved)
       .add("SkinVertices", of_page.vertex_extras);  // any buffer: only skin reads it
   offer_page(instance, page, bindings);
-  offer_before(instance, instance.scene->skin.size() + page, instance.scene->unmoved, bindings);
+  offer_before(instance, instance.asset->skin.size() + page, instance.asset->unmoved, bindings);
   bindings.add("BeforePlacements", instance.placements_before.empty() ? placements_of(instance, page)
                                                                       : instance.placements_before[page]);
   material.offer(bindings);

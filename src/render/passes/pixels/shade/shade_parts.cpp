@@ -22,7 +22,7 @@ void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
     entries.offer_shaded(of_band, resources, band);
     io.first_row = entries.first_row(band);
     io.part = shaded.first_part;
-    for (const GpuDraw& draw : instance.scene->skin[mesh].draws) {
+    for (const GpuDraw& draw : instance.asset->skin[mesh].draws) {
       const GpuMaterial& material = instance.look->material(draw.material);
       const gpu::Pipeline* pipeline = pipelines[shading.variant_of(frame, draw, material).index()];
       io.first_triangle = draw.first_index / 3;

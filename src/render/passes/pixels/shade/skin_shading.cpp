@@ -156,7 +156,7 @@ void SkinShading::offer_maps(Bindings& bindings, const frame::Resources& resourc
   // A binding without a term is never read, but a sampled texture must be bound.
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], i < lights_.maps.size() ? resources.linear(lights_.maps[i])
-                                                   : resources.linear(instance.scene->white()));
+                                                   : resources.linear(instance.asset->white()));
   bindings.add("Terms", terms_);
 }
 

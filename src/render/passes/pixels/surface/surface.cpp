@@ -83,7 +83,7 @@ void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
 
 void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                           const Instance& instance) const {
-  const GpuSurfaces& surfaces = instance.scene->surfaces;
+  const GpuSurfaces& surfaces = instance.asset->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
     bind(cmd, resources, frame, instance, group.page, group.material);
     for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
@@ -93,7 +93,7 @@ void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, cons
 void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                            const Instance& instance) const {
   std::vector<const GpuSurfaces::Blended*> parts;
-  for (const GpuSurfaces::Blended& part : instance.scene->surfaces.blended) parts.push_back(&part);
+  for (const GpuSurfaces::Blended& part : instance.asset->surfaces.blended) parts.push_back(&part);
   const auto distance = [&](const GpuSurfaces::Blended* part) {
     return glm::distance(instance.world_from_asset * glm::vec4(part->centre_m, 1), frame.camera.eye_m);
   };
@@ -107,7 +107,7 @@ void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, con
     if (!bound || bound->page != part->page || bound->material != part->material)
       bind(cmd, resources, frame, instance, part->page, part->material);
     bound = part;
-    instance.scene->surfaces.record(cmd, part->page, part->draw);
+    instance.asset->surfaces.record(cmd, part->page, part->draw);
   }
 }
 

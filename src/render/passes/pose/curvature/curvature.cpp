@@ -28,7 +28,7 @@ void Curvature::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
   const Instance& instance = instance_of(frame, settings.square);
   if (settings.posed && !instance.moves) return;
   const std::size_t number = mesh_in_asset(frame, settings.square);
-  const GpuMesh::Welded& welded = instance.scene->skin[number].welded;
+  const GpuMesh::Welded& welded = instance.asset->skin[number].welded;
 
   Bindings bindings;
   offer_mesh(instance, number, bindings);
@@ -40,7 +40,7 @@ void Curvature::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
     // Rows of workgroups: one row may not have as many as a large mesh needs.
     constexpr std::uint32_t row = 64 * 1024;
     bindings.bind(cmd, *steps_[step]);
-    cmd.push(*steps_[step], io::CurvatureIo{.count = count, .mm_per_unit = instance.scene->mm_per_unit});
+    cmd.push(*steps_[step], io::CurvatureIo{.count = count, .mm_per_unit = instance.asset->mm_per_unit});
     cmd.dispatch_over(*steps_[step], std::min(count, row), (count + row - 1) / row);
     cmd.barrier_all();
   };

@@ -32,7 +32,7 @@ void MoveRig::prepare(gpu::PipelineLibrary& library) {
 
 void MoveRig::record_vertices(gpu::Cmd& cmd, const RigMove& move) const {
   for (std::size_t i = 0; i < move.shape->vertices.size(); ++i) {
-    const GpuRig::Part& part = move.scene->rig->parts[i];
+    const GpuRig::Part& part = move.asset->rig->parts[i];
     Bindings()
         .add("Vertices", move.shape->vertices[i])
         .add("Before", move.shape->before_m[i])
@@ -51,18 +51,18 @@ void MoveRig::record_metric(gpu::Cmd& cmd, const RigMove& move) const {
     Bindings()
         .add("Vertices", move.shape->vertices[i])
         .add("SkinVertices", move.shape->skin_vertices[i])
-        .add("Indices", move.scene->skin[i].indices)
-        .add("MetricTriangles", move.scene->rig->skin[i].metric_triangles)
-        .add("AtRest", move.scene->skin[i].skin_vertices)
+        .add("Indices", move.asset->skin[i].indices)
+        .add("MetricTriangles", move.asset->rig->skin[i].metric_triangles)
+        .add("AtRest", move.asset->skin[i].skin_vertices)
         .bind(cmd, *metric_);
-    dispatch(cmd, *metric_, move.scene->rig->parts[i].count, move.scene->mm_per_unit);
+    dispatch(cmd, *metric_, move.asset->rig->parts[i].count, move.asset->mm_per_unit);
   }
 }
 
 // Only of skin that knows its shape.
 void MoveRig::record_curvature(gpu::Cmd& cmd, const RigMove& move) const {
   for (std::size_t i = 0; i < move.shape->skin_vertices.size(); ++i) {
-    const GpuRig::Skin& skin = move.scene->rig->skin[i];
+    const GpuRig::Skin& skin = move.asset->rig->skin[i];
     if (!skin.curvature_first) continue;
     Bindings()
         .add("Vertices", move.shape->vertices[i])
@@ -70,7 +70,7 @@ void MoveRig::record_curvature(gpu::Cmd& cmd, const RigMove& move) const {
         .add("First", skin.curvature_first)
         .add("Neighbours", skin.curvature_neighbours)
         .bind(cmd, *curvature_);
-    dispatch(cmd, *curvature_, move.scene->rig->parts[i].count, move.scene->mm_per_unit);
+    dispatch(cmd, *curvature_, move.asset->rig->parts[i].count, move.asset->mm_per_unit);
   }
 }
 

@@ -53,11 +53,11 @@ void TurnSky::record_turns(gpu::Cmd& cmd, const SkyTurn& turn) const {
   for (std::size_t i = 0; i < turn.shape->sky.size(); ++i) {
     Bindings()
         .add("Vertices", turn.shape->vertices[i])
-        .add("RestVertices", turn.scene->skin[i].vertices)
+        .add("RestVertices", turn.asset->skin[i].vertices)
         .add("Turns", turn.shape->sky[i].turns)
         .bind(cmd, *turns_);
 
-    const std::uint32_t vertices = turn.scene->rig->parts[i].count;
+    const std::uint32_t vertices = turn.asset->rig->parts[i].count;
     for (std::uint32_t first = 0; first < vertices; first += gpu::most_in_row) {
       const std::uint32_t count = std::min(vertices - first, gpu::most_in_row);
       cmd.push(*turns_, io::TurnSkyIo{.first = first, .count = count});
@@ -68,14 +68,14 @@ void TurnSky::record_turns(gpu::Cmd& cmd, const SkyTurn& turn) const {
 
 void TurnSky::record_light(gpu::Cmd& cmd, const SkyTurn& turn) const {
   for (std::size_t i = 0; i < turn.shape->sky.size(); ++i) {
-    const GpuRig::Skin& skin = turn.scene->rig->skin[i];
+    const GpuRig::Skin& skin = turn.asset->rig->skin[i];
     if (skin.sky_texel_count == 0) continue;
     const PosedShape::Sky& sky = turn.shape->sky[i];
     Bindings()
         .add("SkyTexels", skin.sky_texels)
         .add("Turns", sky.turns)
         .add("Sky", turn.sky)
-        .add("rest_bent_normal", gpu::SampledBinding{&turn.scene->skin[i].bent_normal, nearest_})
+        .add("rest_bent_normal", gpu::SampledBinding{&turn.asset->skin[i].bent_normal, nearest_})
         .add("sky_light", gpu::StorageImageBinding{&sky.light})
         .add("bent_normal", gpu::StorageImageBinding{&sky.bent_normal})
         .bind(cmd, *light_);
