@@ -155,9 +155,9 @@ void fill_counts(Statistics& st, std::span<const setup::SubjectPointer> subjects
   st.distance = settings.camera.distance;
   st.d_ref = setup.d_ref;
   st.tone_map = name_of(settings.output.tone_map);
-  std::set<setup::SubjectPointer> seen;
+  std::set<const setup::Subject*> seen;
   for (const setup::SubjectPointer& subject : subjects) {
-    if (!seen.insert(subject).second) continue;
+    if (!seen.insert(subject.get()).second) continue;
     for (const scene::Material& m : subject->asset->materials)
       if (m.skin) st.skin_materials.push_back(m.name);
   }

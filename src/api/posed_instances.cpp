@@ -42,27 +42,27 @@ gpu::Texture written_map(gpu::Device& device, const std::string& name, std::uint
 }  // namespace
 
 std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device, const AssetPointer& asset) {
-  passes::GpuAsset& scene = *asset->gpu;
-  scene.make_rig(device, *asset->subject->asset, asset->subject->skin);
+  passes::GpuAsset& on_device = *asset->gpu;
+  on_device.make_rig(device, *asset->subject->asset, asset->subject->skin);
   auto posed = std::make_shared<Posed>();
   posed->asset = asset;
   posed->has_shape = asset->has_shape;
-  for (std::size_t i = 0; asset->has_shape && i < scene.skin.size(); ++i)
-    scene.make_rig_curvature(device, i, asset->subject->skin[i], environment::curvature_scales);
+  for (std::size_t i = 0; asset->has_shape && i < on_device.skin.size(); ++i)
+    on_device.make_rig_curvature(device, i, asset->subject->skin[i], environment::curvature_scales);
 
   std::vector<std::pair<const gpu::Buffer*, const gpu::Buffer*>> copies;
   passes::PosedShape& shape = posed->shape;
-  shape.vertices.reserve(scene.skin.size() + scene.surfaces.pages.size());
-  shape.skin_vertices.reserve(scene.skin.size());
+  shape.vertices.reserve(on_device.skin.size() + on_device.surfaces.pages.size());
+  shape.skin_vertices.reserve(on_device.skin.size());
   const auto add = [&](std::vector<gpu::Buffer>& to, const gpu::Buffer& from, const char* what) {
     to.push_back(like(device, from, what));
     copies.emplace_back(&from, &to.back());
   };
-  for (const passes::GpuMesh& mesh : scene.skin) {
+  for (const passes::GpuMesh& mesh : on_device.skin) {
     add(shape.vertices, mesh.vertices, " posed");
     add(shape.skin_vertices, mesh.skin_vertices, " posed");
   }
-  for (const passes::GpuSurfaces::Page& page : scene.surfaces.pages)
+  for (const passes::GpuSurfaces::Page& page : on_device.surfaces.pages)
     add(shape.vertices, page.vertices, " posed");
   for (const gpu::Buffer& vertices : shape.vertices) shape.before_m.push_back(positions(device, vertices));
 
@@ -77,13 +77,13 @@ std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device,
 void PosedInstances::make_sky(gpu::Device& device, Posed& posed) {
   if (!posed.shape.sky.empty()) return;
   const setup::Subject& subject = *posed.asset->subject;
-  passes::GpuAsset& scene = *posed.asset->gpu;
+  passes::GpuAsset& on_device = *posed.asset->gpu;
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {
-    passes::GpuRig::Skin& skin = scene.rig->skin[i];
+    passes::GpuRig::Skin& skin = on_device.rig->skin[i];
     if (skin.sky_texels) continue;
     const setup::SkyTexels texels = setup::sky_texels(subject.skin[i], posed.asset->bent_normal[i]);
     skin.sky_texels =
-        gpu::make_buffer(device, scene.skin[i].name + " sky", std::span<const std::uint32_t>(texels.rows),
+        gpu::make_buffer(device, on_device.skin[i].name + " sky", std::span<const std::uint32_t>(texels.rows),
                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     skin.sky_texel_count = texels.count;
   }
@@ -91,7 +91,7 @@ void PosedInstances::make_sky(gpu::Device& device, Posed& posed) {
   std::vector<passes::PosedShape::Sky> made;
   for (std::size_t i = 0; i < subject.skin.size(); ++i) {
     const auto side = static_cast<std::uint32_t>(posed.asset->bent_normal[i].side);
-    const std::string& name = scene.skin[i].name;
+    const std::string& name = on_device.skin[i].name;
     made.push_back({.light = written_map(device, name + " sky posed", side, 2),
                     .bent_normal = written_map(device, name + " bent normal posed", side),
                     .turns = {device, name + " turns",
@@ -198,7 +198,7 @@ void PosedInstances::add_sky_turn(gpu::FrameMemory& memory, const Current& curre
 void PosedInstances::make_recorded(gpu::Device& device, const Current& current) {
   Posed& posed = *current.posed;
   if (posed.matrices) return;
-  const passes::GpuAsset& scene = *posed.asset->gpu;
+  const passes::GpuAsset& on_device = *posed.asset->gpu;
   const auto make = [&](const char* what, std::size_t bytes) {
     return gpu::Buffer(device, what,
                        {.bytes = std::max<std::size_t>(bytes, 4),
@@ -207,8 +207,8 @@ void PosedInstances::make_recorded(gpu::Device& device, const Current& current) 
   posed.weights = make("weights of a pose", current.pose->rig.weights.size() * sizeof(float));
   posed.sky = make("sky over a pose", sizeof(io::SkyHarmonicsIo));
   posed.placements.clear();
-  if (has_copies(scene.surfaces.pages))
-    for (const passes::GpuSurfaces::Page& page : scene.surfaces.pages)
+  if (has_copies(on_device.surfaces.pages))
+    for (const passes::GpuSurfaces::Page& page : on_device.surfaces.pages)
       posed.placements.push_back(
           make("placements of a pose", (page.copies.size() + 1) * sizeof(io::PlacementIo)));
   posed.matrices = make("matrices of a pose", current.pose->rig.matrices.size() * sizeof(glm::mat4x3));

@@ -337,6 +337,7 @@ scene::Light placed_light(const Light& light, const setup::Similarity& world_fro
 
 setup::PlacedScene placed_scene(const Scene& scene, std::span<const setup::SubjectPointer> subjects) {
   const Scene::State& state = scene.state();
+  if (!subjects.empty()) DERMIS_ASSERT_EQ(subjects.size(), state.instances.size());
   setup::PlacedScene placed{.name = scene.name(), .instances = {}, .lights = {}};
   for (const Scene::State::PlacedInstance& from : state.instances) {
     setup::PlacedAsset& to = placed.instances.emplace_back(from.placed);

@@ -19,7 +19,7 @@ struct Scene::State {
   struct PlacedInstance {
     InstanceId id{};
     Instance instance;
-    setup::PlacedAsset placed;  ///< the same, checked and converted; without asset and sphere
+    setup::PlacedAsset placed;  ///< the same, checked and converted; without asset, subject and sphere
     InstanceChanges changes;
   };
   /// Of a light of a file: the instance whose poses move it, and its number in the asset.

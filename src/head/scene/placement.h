@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "head/scene/asset_data.h"
 

@@ -375,6 +375,7 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
 FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const DeviceTraits& device,
                   const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host,
                   bool every_view) {
+  for (const PlacedAsset& instance : scene.instances) DERMIS_ASSERT(instance.subject != nullptr);
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.heads = placed_heads(scene, s);

@@ -13,7 +13,6 @@ struct ObserverRow {
 constexpr ObserverRow rows[] = {
 #include "tissue/optics/observer.inc"
 };
-constexpr std::size_t count = std::size(rows);
 
 // IEC 61966-2-1: linear Rec.709 from XYZ, and back.
 constexpr double to_linear[3][3] = {{3.2406255, -1.5372080, -0.4986286},

@@ -3,6 +3,7 @@
 // mirror images above it send out.
 // Based on:
 // [DE12]  d'Eon: A Better Dipole. 2012
+// [DI11]  d'Eon, Irving: A Quantized-Diffusion Model for Rendering Translucent Materials. SIGGRAPH 2011
 // [HCJ13] Habel, Christensen, Jarosz: Photon Beam Diffusion: A Hybrid Monte Carlo Method for Subsurface
 //         Scattering. EGSR 2013
 #pragma once

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "alone.h"
 #include "head/scene/framing.h"

@@ -30,7 +30,9 @@ inline constexpr int max_normal_map_side = 4096;
 double height_smoothing_texels(double step_mm, double mm_per_texel);
 
 /// Returns tangent-space normals, +Y up (towards -v), RGBA8 with alpha 255, of the heights on top of `base`
-/// (null: flat). Size: per axis the larger of both maps, at most 4096. Both maps use the same coordinates and
+/// (null: flat). Where the base is coarser, it takes from the heights only detail finer than its texels. Both
+/// maps describe the same skin, and wrinkles in both would count twice (on the scan their slopes correlate
+/// with 0.3). Size: per axis the larger of both maps, at most 4096. Both maps use the same coordinates and
 /// transform. Uses the mean metric: where skin is stretched more than average, pores are too steep by this
 /// factor.
 image::Image8 displaced_normals(const image::Image8& heights, const DisplacementSettings& settings,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene on the device: meshes, materials and maps, uploaded once and shared by all its instances.
+// An asset on the device: meshes, materials and maps, uploaded once and shared by all its instances.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ namespace dermis::passes {
 /// The maps of a material, shared by all its looks.
 struct MaterialMaps {
   std::string name;
-  io::MaterialIo constants{};                         ///< as the scene has them
+  io::MaterialIo constants{};                         ///< as the asset has them
   std::array<gpu::SampledBinding, MAP_COUNT> maps{};  ///< a white or flat texel if the material has none
   bool skin = false;
   bool double_sided = false;
@@ -57,7 +57,7 @@ struct HostMap {
   bool operator==(const HostMap&) const = default;
 };
 
-/// The materials of a scene, as some of its instances show them.
+/// The materials of an asset, as some of its instances show them.
 struct GpuLook {
   std::vector<GpuMaterial> materials;
   std::vector<std::unique_ptr<gpu::Texture>> of_host;  ///< that the materials point to
@@ -138,11 +138,11 @@ gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
 
 class GpuAsset {
  public:
-  /// Uploads a scene. Throws DeviceError: a map or buffer over the device's limits, no memory.
+  /// Uploads an asset. Throws DeviceError: a map or buffer over the device's limits, no memory.
   GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene,
            const std::vector<scene::SkinMesh>& skin);
 
-  /// Makes the materials of instances that look like this. The scene must outlive them.
+  /// Makes the materials of instances that look like this. The asset must outlive them.
   GpuLook make_look(gpu::Device& device, const LookSettings& settings) const;
 
   /// Makes the gutters of `mesh`, skin mesh `number`, for light maps of side x side texels, `width_texels`
@@ -167,7 +167,7 @@ class GpuAsset {
   /// there.
   void make_sources(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh);
 
-  /// Makes what moves its vertices, unless it is there. The scene has a rig. Throws DeviceError: more than
+  /// Makes what moves its vertices, unless it is there. The asset has a rig. Throws DeviceError: more than
   /// shaders of the device can read.
   void make_rig(gpu::Device& device, const scene::AssetData& scene, const std::vector<scene::SkinMesh>& skin);
 

@@ -63,7 +63,7 @@ struct GpuSurfaces {
   void record(gpu::Cmd& cmd, std::uint32_t page, const Draw& draw) const;
 };
 
-/// Returns the placements of a page in a pose of its scene's rig, the first of which moves nothing.
+/// Returns the placements of a page in a pose of its asset's rig, the first of which moves nothing.
 std::vector<io::PlacementIo> posed_placements(const GpuSurfaces::Page& page, const scene::AssetData& scene,
                                               const scene::PosedRig& pose);
 

@@ -12,7 +12,7 @@ using passes::FrameData;
 using passes::instance_of;
 using passes::mesh_in_asset;
 
-/// Returns the scene's mesh of an object.
+/// Returns the asset's mesh of an object.
 inline const passes::GpuMesh& mesh_of(const FrameData& frame, const Object& object) {
   return instance_of(frame, object).asset->skin[mesh_in_asset(frame, object)];
 }
