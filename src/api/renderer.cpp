@@ -131,8 +131,9 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
   std::map<std::shared_ptr<const scene::AssetData>, setup::SubjectPointer> examined;
   std::vector<setup::SubjectPointer> subjects;
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
-    setup::SubjectPointer& subject = examined[Asset::State::of(placed.instance.asset)];
-    if (!subject) subject = setup::examine(Asset::State::of(placed.instance.asset));
+    const std::shared_ptr<const scene::AssetData> asset = Asset::State::of(placed.instance.asset);
+    setup::SubjectPointer& subject = examined[asset];
+    if (!subject) subject = setup::examine(asset);
     subjects.push_back(subject);
   }
 

@@ -25,6 +25,7 @@
 #include "render/techniques/technique.h"
 #include "support/assets.h"
 #include "support/built_in.h"
+#include "unit/setup/alone.h"
 
 namespace dermis::tests {
 namespace {
@@ -60,7 +61,7 @@ class Frames {
  public:
   Frames(std::shared_ptr<const scene::AssetData> scene, const RenderSettings& settings)
       : subject_(setup::examine(std::move(scene))) {
-    set_up(settings);
+    setup_ = setup::set_up_alone(subject_, settings);
     scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *subject_->asset, subject_->skin);
     look_ = scene_->make_look(bench()->device, {});
     outputs_ = setup_.technique->build(plan_, setup_.plan);
@@ -69,7 +70,7 @@ class Frames {
 
   /// Draws a frame; settings may differ from those of before in what needs no other plan.
   void draw(const RenderSettings& settings) {
-    set_up(settings);
+    setup_ = setup::set_up_alone(subject_, settings);
     for (const techniques::GutterSize& size :
          setup_.technique->gutters(setup_.plan, setup::drawn_heads(setup_)))
       scene_->make_gutters(bench()->device, size.mesh, subject_->skin[size.mesh], size.side,
@@ -124,17 +125,6 @@ class Frames {
   bool drew_texel_map() const { return kept_.drawn() > drawn_before_; }
 
  private:
-  void set_up(const RenderSettings& settings) {
-    setup::PlacedScene placed{
-        .name = subject_->asset->name, .instances = {}, .lights = subject_->asset->lights};
-    placed.instances.push_back({.asset = subject_->asset,
-                                .subject = subject_,
-                                .sphere = subject_->bounds.sphere,
-                                .profile = {},
-                                .mix = {}});
-    setup_ = setup::set_up(placed, settings, {}, {});
-  }
-
   setup::SubjectPointer subject_;
   setup::FrameSetup setup_;
   std::unique_ptr<passes::GpuAsset> scene_;
