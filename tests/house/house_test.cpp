@@ -18,7 +18,7 @@
 namespace {
 
 constexpr int longest_file = 500;     // lines
-constexpr int longest_shader = 200;   // lines; a shader is one step
+constexpr int longest_shader = 300;   // lines; a shader is one step
 constexpr int longest_function = 80;  // lines
 constexpr int most_columns = 110;     // as .clang-format has it
 constexpr int has_steps = 20;         // lines from which a function should show its steps as paragraphs

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// From the coordinates of an asset to the world. An instance that is not turned moves its points by one
-// addition, exactly: products with 0 and 1 do not round. Precise as clip_position() is.
+// The head of a draw or dispatch, and the way from the coordinates of its asset to the world. An instance
+// that is not turned moves its points by one addition, exactly: products with 0 and 1 do not round. Precise
+// as clip_position() is.
 #ifndef INSTANCE  // a pass may have it elsewhere
-#include "render/shaders/head.glsl"
+#include "render/shared/scene_io.h"
+layout(binding = 33, scalar) uniform Head { HeadIo of_head; };
 #define INSTANCE of_head.instance
 #endif
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light that arrives at a point, with its shadow. Needs sampler2DArray `shadow_depths` without comparison.
+// Light that arrives at a point, with its shadow. Needs instance.glsl, material.glsl and
+// sampler2DArray `shadow_depths` without comparison.
 #extension GL_EXT_samplerless_texture_functions : require
-#include "render/shaders/head.glsl"
-#include "render/shaders/shading_point.glsl"
 layout(binding = 5) uniform utextureBuffer Lamps;  // of all heads, see LampsIo
 
 LightIo light_at(uint number) {

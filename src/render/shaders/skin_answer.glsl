@@ -3,7 +3,6 @@
 // the surroundings.
 #include "render/shaders/half.glsl"
 #include "render/shaders/skin_point.glsl"
-#include "render/shaders/skin_lights.glsl"
 #include "render/shaders/cut_out.glsl"
 layout(constant_id = 12) const bool emits = false;
 layout(binding = 13) uniform sampler2D map_emissive;

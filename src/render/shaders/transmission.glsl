@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
-// One read of a light's map for both of its uses: the share of the light that
-// arrives where the surface faces it. For a surface that faces away, place and angle at which transmitted
-// light has entered. Translucent shadow maps; docs/techniques.md explains the design. Based on: [SD03]
+// Light that comes through the body. One read of a light's map serves both of its uses: where the surface
+// faces the light, the share that arrives; where it faces away, place and angle at which transmitted light
+// has entered. Translucent shadow maps; docs/techniques.md explains the design. Based on: [SD03]
 // Dachsbacher, Stamminger: Translucent Shadow Maps, EGSR 2003 (entering light is part of the shadow map, and
 // is gathered in the light's view). [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction).
-// Needs: lights.glsl, entering_maps (sampler2DArray of the same layers), `transmission`, through_terms.
+// Follows skin_point.glsl.
+#include "render/shared/terms_io.h"
+layout(binding = 23) uniform sampler2DArray entering_maps;
+#ifndef TRANSMISSION  // a pass may have it elsewhere
+layout(binding = 24, scalar) uniform Transmission { TransmissionIo transmission; };
+#endif
+layout(constant_id = 8) const int through_terms = 6;
 
 #ifndef THROUGH_RAYS  // false: of no more than narrow terms
 #define THROUGH_RAYS true
@@ -188,4 +194,79 @@ void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 thr
   const float mean =
       0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_wide_m * r.way_wide_m * falloff));
   through[last_term] += light * (is_new * mix(mean, r.cosine * exp(-d2 * falloff), plane));
+}
+
+// As LitSkin, and transmitted light that arrives at the point.
+struct LitThrough {
+  LitSkin skin;
+  vec3 through[MOST_TERMS];  // per Gaussian: irradiance of the far side, times its albedo^mix
+                             // and the Gaussian's slab factor
+};
+
+// Where the surface faces a light it is lit by it, or lies in a shadow that the light may have passed through
+// air: nothing is transmitted. Where it faces away none of that light enters. So no light counts twice.
+LitThrough lit_through(ShadingPoint s, vec3 n, SkinSpecular spec, SkinView view) {
+  const float kept_mean = 1.0 - specular_albedo_mean(directional_albedo, spec);
+  LitThrough r;
+  r.skin = LitSkin(vec3(0.0), vec3(0.0));
+  for (int i = 0; i < through_terms; ++i) r.through[i] = vec3(0.0);
+
+  for (uint k = nothing(); k < frame.light_count; ++k) {
+    const LightIo light = light_at(k);
+    const Arriving a = arriving_light(light, s.position_m);
+    const float cosine_here = dot(s.normal, a.to_light);
+    const LightRead read = read_light(light, a, s, cosine_here);
+    const float tangent = light_tangent(light, a);
+
+    const bool faces = cosine_here > 0.0;
+    const float cosine_lit = light_cosine(dot(n, a.to_light), tangent),
+                cosine = faces ? cosine_lit : read.cosine;
+    const vec3 kept = a.irradiance * ((1.0 - specular_albedo(directional_albedo, spec, cosine)) / kept_mean);
+    if (faces)
+      r.skin.entering += kept * (cosine_lit * read.lit);
+    else if (soft_shadows && cosine_here > -tangent)
+      r.skin.entering +=
+          a.irradiance *
+          (cosine_lit * read.lit * (1.0 - specular_albedo(directional_albedo, spec, cosine_lit)) / kept_mean);
+    if (faces)
+      r.skin.reflected += a.irradiance * (reflected_share(view, spec, light, a, s.normal) * read.lit);
+
+    // While a light sets, its transmitted light fades in.
+    const float set = tangent > 0.0 ? min(-cosine_here / tangent, 1.0) : 1.0;
+    add_slab_factors(read, cosine_here,
+                     kept * read.entering * (faces ? 0.0 : set * nearer_factor(light, a, read)), r.through);
+  }
+  return r;
+}
+
+// Returns the part that joins the light map before the terms of a group:
+// render/passes/light_map/transmission.h.
+vec3 joining(LitThrough r, int group) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < through_terms; ++i) sum += transmission.share[group * MOST_TERMS + i] * r.through[i];
+  return sum;
+}
+
+// Returns sum_i w_i T_i: terms of a group share their mean, as in light maps.
+vec3 all_through(LitThrough r) {
+  vec3 sum = vec3(0.0), mean = vec3(0.0);
+  for (int g = 0; g < TRANSMISSION_GROUPS; ++g) {
+    mean += joining(r, g);
+    sum += transmission.group_weight[g] * mean;
+  }
+  return sum;
+}
+
+// Returns for how many lights that a point faces away from the position is outside the light's map, or
+// entering light was not stored although there is a surface.
+uint transmission_misses(ShadingPoint s) {
+  uint misses = 0u;
+  for (uint k = nothing(); k < frame.light_count; ++k) {
+    const LightIo light = light_at(k);
+    const Arriving a = arriving_light(light, s.position_m);
+    const float cosine_here = dot(s.normal, a.to_light);
+    const LightRead read = read_light(light, a, s, cosine_here);
+    if (cosine_here <= 0.0 && light.shadow_layers > 0u && !(read.inside && read.shaded)) ++misses;
+  }
+  return misses;
 }

@@ -13,7 +13,7 @@ namespace dermis::techniques {
 namespace {
 
 // Sigma, in texels at the mean density, below which a term is lit at the pixel everywhere, also where skin is
-// denser: as map_share.glsl has it.
+// denser: as map_read.glsl has it.
 constexpr double mapped_sigma_texels = 0.35;
 
 // Sigma, in pixels, by which a pixel averages light: as a map holds a term of some sigma, it holds light that

@@ -58,7 +58,7 @@ struct ThroughMesh {
   }
 };
 
-/// Bindings of skin_through.glsl beside the lighting: entering light, in the maps of the lights, and the
+/// Bindings of transmission.glsl beside the lighting: entering light, in the maps of the lights, and the
 /// constants of a profile.
 class ThroughBindings {
  public:

@@ -13,7 +13,6 @@ layout(location = 8) in float in_plane_m;  // plane_distance()
 layout(location = 0) out vec4 out_radiance;
 #include "render/techniques/published/lobe.glsl"
 #include "render/shaders/skin_answer.glsl"
-#include "render/shared/gutters_io.h"
 layout(constant_id = 0) const int term_count = 6;
 // The rest of the weights to 1 is lit at the pixel. Departure, for what no map holds: light that leaves where
 // it entered (a term without width), and skin that has no place on the map, which does not scatter then.
@@ -26,7 +25,7 @@ layout(binding = 18) uniform sampler2D light_4;
 layout(binding = 19) uniform sampler2D light_5;
 layout(binding = 20) uniform sampler2D light_6;
 layout(binding = 21) uniform sampler2D light_7;
-#include "render/shaders/light_left.glsl"
+#include "render/shaders/map_read.glsl"
 #include "render/techniques/published/map_point.glsl"
 
 // Departure: of the four texels those that hold light are read. Beside what is culled or clipped [JG08] reads

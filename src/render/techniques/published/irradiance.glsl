@@ -7,9 +7,8 @@
 #include "render/shaders/half.glsl"
 #include "render/techniques/published/lobe.glsl"
 #include "render/shaders/skin_point.glsl"
-#include "render/shaders/skin_lights.glsl"
 #if GROUPS > 0
-#include "render/shaders/skin_through.glsl"
+#include "render/shaders/transmission.glsl"
 #endif
 #include "render/shaders/cut_chart.glsl"
 

@@ -7,9 +7,8 @@
 #include "render/shared/scene_io.h"
 #include "render/shaders/half.glsl"
 #include "render/shaders/skin_point.glsl"
-#include "render/shaders/skin_lights.glsl"
 #if GROUPS > 0
-#include "render/shaders/skin_through.glsl"
+#include "render/shaders/transmission.glsl"
 #define TARGETS GROUPS
 #else
 #define TARGETS 1

@@ -6,13 +6,12 @@
 #include "render/shaders/half.glsl"
 const float pi = 3.14159265358979;
 #include "render/shaders/frame.glsl"
-#include "render/shaders/environment_place.glsl"
+#include "render/shaders/environment.glsl"
 layout(constant_id = 0) const uint kind = BEHIND_STUDIO;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant, scalar) uniform Push { BackgroundIo io; };
 layout(binding = 0) uniform sampler2D picture;
 layout(binding = 2) uniform sampler2D open;
-layout(binding = 4) uniform sampler2D environment_picture;
 layout(binding = 5, rgba16f) uniform writeonly image2D target;
 
 // Middle grey under a lamp one picture height in front of its middle: README.md.
@@ -32,7 +31,7 @@ vec3 looks_at(vec2 clip) {
 vec3 surroundings(vec2 clip) {
   if (io.has_picture == 0u) return frame.ambient;
   const vec2 at = environment_place(environment_frame(looks_at(clip)));
-  return textureLod(environment_picture, at, 0.0).rgb * frame.environment_intensity;
+  return textureLod(environment_map, at, 0.0).rgb * frame.environment_intensity;
 }
 
 void main() {

@@ -33,7 +33,7 @@ void Background::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
       .add("picture", resources.nearest(in.picture))
       .add("open", resources.nearest(in.open))
       .add("Frame", frame.frame_io)
-      .add("environment_picture", gpu::SampledBinding{shown ? shown : &nothing, around_})
+      .add("environment_map", gpu::SampledBinding{shown ? shown : &nothing, around_})
       .add("target", resources.storage(out_.picture))
       .bind(cmd, pipeline());
 

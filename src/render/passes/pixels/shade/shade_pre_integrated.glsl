@@ -7,10 +7,9 @@
 #include "render/passes/pixels/shade/pre_integrated_io.h"
 layout(binding = 19, scalar) readonly buffer Curvature { float curvature[]; };
 #include "render/shaders/skin_answer.glsl"
-#include "render/passes/pixels/shade/along_skin.glsl"
 #include "render/passes/pixels/shade/wide_shadow.glsl"
 #ifdef THROUGH
-#include "render/passes/pixels/shade/through_at_pixel.glsl"
+#include "render/shaders/transmission.glsl"
 #endif
 layout(constant_id = 21) const bool unscattered = false;  // some light leaves where it entered
 layout(binding = 16) uniform sampler2D lit_table;

@@ -6,9 +6,8 @@
 #include "render/passes/pixels/shade/listed_entry.glsl"
 #include "render/passes/screen/screen_surface.glsl"
 #include "render/shaders/skin_answer.glsl"
-#include "render/passes/pixels/shade/along_skin.glsl"
 #ifdef THROUGH
-#include "render/passes/pixels/shade/through_at_pixel.glsl"
+#include "render/shaders/transmission.glsl"
 #endif
 
 struct SplitSkin {

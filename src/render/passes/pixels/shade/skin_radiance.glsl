@@ -3,12 +3,10 @@
 // of the albedo that is applied afterwards, two specular lobes, and emission. With no terms, the light that
 // enters at the pixel stands for that of texels. THROUGH: with transmitted light. Needs `io` (ShadeIo).
 #include "render/shaders/skin_answer.glsl"
-#include "render/passes/pixels/shade/along_skin.glsl"
-#include "render/shaders/map_share.glsl"
-#include "render/shared/gutters_io.h"
+#include "render/shaders/map_read.glsl"
 #ifdef THROUGH
 #define THROUGH_RAYS (io.through_rays != 0u)
-#include "render/shaders/skin_through.glsl"
+#include "render/shaders/transmission.glsl"
 #endif
 layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool direct = false;  // the rest of the weights to 1 is lit per pixel
@@ -73,8 +71,6 @@ vec3 mapped_weight(int term, OnMap on) {
   if (!mixed) return io.weights[term];
   return map_share(terms.sigma_mm[term], io.shown_mm, on.uv_per_mm, io.map_side) * io.weights[term];
 }
-
-#include "render/shaders/light_left.glsl"
 
 vec3 light_of(sampler2D light, vec2 at) {
   return cut_out ? light_left(light, at) : textureLod(light, at, 0.0).rgb;

@@ -5,8 +5,7 @@
 #version 460
 #include "render/passes/scatter/scatter_sum/scatter_sum_io.h"
 #include "render/shaders/half.glsl"
-#include "render/shaders/map_share.glsl"
-#include "render/shared/gutters_io.h"
+#include "render/shaders/map_read.glsl"
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(constant_id = 0) const int term_count = 6;
 layout(constant_id = 1) const bool mixed = false;  // SkinLook::mixes
