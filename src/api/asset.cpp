@@ -11,8 +11,8 @@
 #include "base/core/error.h"
 #include "base/core/hooks.h"
 #include "base/settings/check.h"
-#include "head/scene/framing.h"
 #include "head/scene/import/from_arrays.h"
+#include "head/scene/surface/measured.h"
 #include "render/setup/preparation.h"
 
 namespace dermis {
@@ -36,7 +36,7 @@ bool changes_pigments(const SceneOptions& options) {
 
 std::shared_ptr<const scene::AssetData> with_pigments(scene::AssetData&& scene, const SceneOptions& options) {
   if (changes_pigments(options)) setup::preparation("other pigments").repaint(scene, options);
-  return std::make_shared<const scene::AssetData>(std::move(scene));
+  return scene::measured(std::move(scene));
 }
 
 }  // namespace api
@@ -77,7 +77,7 @@ std::vector<std::string> Asset::joints() const { return api::joint_names(*state_
 std::vector<std::string> Asset::morph_weights() const { return api::morph_names(*state_->data); }
 
 AssetBounds Asset::bounds() const {
-  const scene::Bounds bounds = scene::skin_bounds(*state_->data);
+  const scene::Bounds& bounds = state_->data->bounds;
   return {.low_m = api::array_of(bounds.low_m),
           .high_m = api::array_of(bounds.high_m),
           .centre_m = api::array_of(bounds.sphere.centre_m),

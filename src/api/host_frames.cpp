@@ -35,7 +35,7 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
   frame.pause();
   scene = wanted;
   inputs = wanted_inputs;
-  records = api::HostRecords(frame.scene().subjects(), frame.setup().plan.host_lights() ? 0 : 1);
+  records = api::HostRecords(frame.scene().assets(), frame.setup().plan.host_lights() ? 0 : 1);
   ids = scene.instances();
   move.keep(frame.scene(), ids, inputs.deformed);
 

@@ -40,8 +40,8 @@ HostMoves::Moved HostMoves::make(const AssetPointer& asset) const {
       cmd.copy(asset->gpu->skin[i].vertices, moved.vertices[i], moved.vertices[i].desc().bytes);
     cmd.barrier_all();
   });
-  for (std::size_t i = 0; i < asset->subject->skin.size(); ++i)
-    asset->gpu->make_sources(device, i, asset->subject->skin[i]);
+  for (std::size_t i = 0; i < asset->data->skin.size(); ++i)
+    asset->gpu->make_sources(device, i, asset->data->skin[i]);
   return moved;
 }
 
@@ -102,8 +102,7 @@ void HostMoves::record(VkCommandBuffer commands, InstanceId instance,
           .normals = stream_of("normals", mesh.normals, mesh.vertices, move.of_host[1], limits),
           .tangents = stream_of("tangents", mesh.tangents, mesh.vertices, move.of_host[2], limits)};
     }
-    if (!known)
-      throw input_error("", "mesh {} is not one of skin of {}", mesh.mesh, moved.asset->subject->asset->name);
+    if (!known) throw input_error("", "mesh {} is not one of skin of {}", mesh.mesh, moved.asset->data->name);
   }
 
   gpu::Cmd cmd(library_->device(), commands);

@@ -5,9 +5,9 @@
 
 namespace dermis::api {
 
-HostRecords::HostRecords(std::span<const setup::SubjectPointer> subjects, float unlit_rest) {
-  for (const setup::SubjectPointer& subject : subjects) {
-    for (const scene::SkinMesh& mesh : subject->skin)
+HostRecords::HostRecords(std::span<const AssetPointer> assets, float unlit_rest) {
+  for (const AssetPointer& asset : assets) {
+    for (const scene::SkinMesh& mesh : asset->data->skin)
       unlit_.push_back(
           {.uv_scale = mesh.unwrap_scale, .uv_offset = mesh.unwrap_offset, .unlit_rest = unlit_rest});
     first_.push_back(static_cast<std::uint32_t>(unlit_.size()));

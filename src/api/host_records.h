@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "api/scene_on_device.h"
 #include "render/passes/frame_data.h"
 #include "render/setup/frame_setup.h"
 
@@ -27,7 +28,7 @@ static_assert(sizeof(HostRecord) == 40);
 class HostRecords {
  public:
   HostRecords() = default;
-  HostRecords(std::span<const setup::SubjectPointer> subjects, float unlit_rest);
+  HostRecords(std::span<const AssetPointer> assets, float unlit_rest);
 
   /// Returns those of a frame.
   std::vector<HostRecord> of(const passes::FrameData& frame, const setup::FrameSetup& setup) const;

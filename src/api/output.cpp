@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <set>
 
 #include "base/core/assert.h"
 #include "base/core/error.h"
@@ -140,9 +139,8 @@ void check_show(const techniques::FrameOutputs& out, const RenderSettings& setti
                     listed_names(settings.output.show, names));
 }
 
-void fill_counts(Statistics& st, std::span<const setup::SubjectPointer> subjects,
-                 const RenderSettings& settings, const setup::FrameSetup& setup,
-                 std::span<const std::byte> counters) {
+void fill_counts(Statistics& st, std::span<const AssetPointer> assets, const RenderSettings& settings,
+                 const setup::FrameSetup& setup, std::span<const std::byte> counters) {
   st.technique = setup.technique->name;
   st.settings = settings;
   st.width = settings.output.width;
@@ -155,12 +153,9 @@ void fill_counts(Statistics& st, std::span<const setup::SubjectPointer> subjects
   st.distance = settings.camera.distance;
   st.d_ref = setup.d_ref;
   st.tone_map = name_of(settings.output.tone_map);
-  std::set<const setup::Subject*> seen;
-  for (const setup::SubjectPointer& subject : subjects) {
-    if (!seen.insert(subject.get()).second) continue;
-    for (const scene::Material& m : subject->asset->materials)
+  for (const AssetPointer& asset : assets)
+    for (const scene::Material& m : asset->data->materials)
       if (m.skin) st.skin_materials.push_back(m.name);
-  }
 
   std::vector<std::uint32_t> counts(counters.size() / sizeof(std::uint32_t));
   std::memcpy(counts.data(), counters.data(), counters.size());

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "api/scene_on_device.h"
 #include "dermis/renderer.h"
 #include "frame/executor.h"
 #include "render/setup/frame_setup.h"
@@ -30,10 +31,9 @@ void fill_times(Statistics& statistics, std::span<const frame::FrameTime> frames
                 const frame::FrameGraph& graph);
 
 /// `counters` as read back from FrameOutputs::counters.
-/// `subjects`: one per instance.
-void fill_counts(Statistics& statistics, std::span<const setup::SubjectPointer> subjects,
-                 const RenderSettings& settings, const setup::FrameSetup& setup,
-                 std::span<const std::byte> counters);
+/// `assets`: each once.
+void fill_counts(Statistics& statistics, std::span<const AssetPointer> assets, const RenderSettings& settings,
+                 const setup::FrameSetup& setup, std::span<const std::byte> counters);
 
 /// Fills in what the device is, and its memory.
 void fill_device(Statistics& statistics, gpu::Device& device);

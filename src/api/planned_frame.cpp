@@ -58,7 +58,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
   check_device_limits(settings, limits);
 
   SceneOnDevice next_scene(renderer_->assets_of(scene));
-  Input input{.placed = placed_scene(scene, next_scene.subjects()), .environment_lights = {}, .host = host};
+  Input input{.placed = placed_scene(scene), .environment_lights = {}, .host = host};
   setup::take_profile(input.placed, settings);
   const std::shared_ptr<const setup::EnvironmentLight> next_environment =
       options_.picture ? renderer_->environment_light(scene, settings) : nullptr;

@@ -43,12 +43,12 @@ gpu::Texture written_map(gpu::Device& device, const std::string& name, std::uint
 
 std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device, const AssetPointer& asset) {
   passes::GpuAsset& on_device = *asset->gpu;
-  on_device.make_rig(device, *asset->subject->asset, asset->subject->skin);
+  on_device.make_rig(device, *asset->data, asset->data->skin);
   auto posed = std::make_shared<Posed>();
   posed->asset = asset;
   posed->has_shape = asset->has_shape;
   for (std::size_t i = 0; asset->has_shape && i < on_device.skin.size(); ++i)
-    on_device.make_rig_curvature(device, i, asset->subject->skin[i], environment::curvature_scales);
+    on_device.make_rig_curvature(device, i, asset->data->skin[i], environment::curvature_scales);
 
   std::vector<std::pair<const gpu::Buffer*, const gpu::Buffer*>> copies;
   passes::PosedShape& shape = posed->shape;
@@ -76,12 +76,12 @@ std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device,
 
 void PosedInstances::make_sky(gpu::Device& device, Posed& posed) {
   if (!posed.shape.sky.empty()) return;
-  const setup::Subject& subject = *posed.asset->subject;
+  const scene::AssetData& data = *posed.asset->data;
   passes::GpuAsset& on_device = *posed.asset->gpu;
-  for (std::size_t i = 0; i < subject.skin.size(); ++i) {
+  for (std::size_t i = 0; i < data.skin.size(); ++i) {
     passes::GpuRig::Skin& skin = on_device.rig->skin[i];
     if (skin.sky_texels) continue;
-    const setup::SkyTexels texels = setup::sky_texels(subject.skin[i], posed.asset->bent_normal[i]);
+    const setup::SkyTexels texels = setup::sky_texels(data.skin[i], posed.asset->bent_normal[i]);
     skin.sky_texels =
         gpu::make_buffer(device, on_device.skin[i].name + " sky", std::span<const std::uint32_t>(texels.rows),
                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
@@ -89,13 +89,13 @@ void PosedInstances::make_sky(gpu::Device& device, Posed& posed) {
   }
 
   std::vector<passes::PosedShape::Sky> made;
-  for (std::size_t i = 0; i < subject.skin.size(); ++i) {
+  for (std::size_t i = 0; i < data.skin.size(); ++i) {
     const auto side = static_cast<std::uint32_t>(posed.asset->bent_normal[i].side);
     const std::string& name = on_device.skin[i].name;
     made.push_back({.light = written_map(device, name + " sky posed", side, 2),
                     .bent_normal = written_map(device, name + " bent normal posed", side),
                     .turns = {device, name + " turns",
-                              gpu::BufferDesc{.bytes = subject.skin[i].vertices.size() * sizeof(glm::vec4),
+                              gpu::BufferDesc{.bytes = data.skin[i].vertices.size() * sizeof(glm::vec4),
                                               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}}});
   }
   posed.shape.sky = std::move(made);
@@ -221,8 +221,8 @@ passes::RigMove PosedInstances::recorded_move(gpu::Cmd& cmd, const Current& curr
   cmd.update(posed.matrices, std::as_bytes(std::span(matrices)));
   cmd.update(posed.weights, std::as_bytes(std::span(weights)));
   for (std::size_t p = 0; p < posed.placements.size(); ++p) {
-    const std::vector<io::PlacementIo> placements = passes::posed_placements(
-        posed.asset->gpu->surfaces.pages[p], *posed.asset->subject->asset, current.pose->rig);
+    const std::vector<io::PlacementIo> placements =
+        passes::posed_placements(posed.asset->gpu->surfaces.pages[p], *posed.asset->data, current.pose->rig);
     cmd.update(posed.placements[p], std::as_bytes(std::span(placements)));
   }
   posed.moved = current.change;
@@ -278,7 +278,7 @@ void PosedInstances::add_placements(gpu::FrameMemory& memory, const Current& cur
   const std::vector<passes::GpuSurfaces::Page>& pages = instance.asset->surfaces.pages;
   for (std::size_t p = 0; has_copies(pages) && p < pages.size(); ++p)
     instance.placements.push_back(memory.add(std::span<const io::PlacementIo>(
-        passes::posed_placements(pages[p], *current.posed->asset->subject->asset, current.pose->rig))));
+        passes::posed_placements(pages[p], *current.posed->asset->data, current.pose->rig))));
 }
 
 void PosedInstances::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data,

@@ -147,7 +147,7 @@ Picture PreparedFrame::State::picture() {
 
   statistics.timing = frame.executor().separate_submissions() ? "submit" : "timestamp";
   if (!times.empty()) api::fill_times(statistics, times, frame.executor().graph());
-  api::fill_counts(statistics, frame.scene().subjects(), settings, frame.setup(), counters);
+  api::fill_counts(statistics, frame.scene().different_assets(), settings, frame.setup(), counters);
   api::fill_recorded(statistics, recorded);
   statistics.upload_ms = frame.scene().upload_ms();
   statistics.pipeline_ms = frame.pipeline_ms();

@@ -50,7 +50,7 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   std::map<std::shared_ptr<const scene::AssetData>, api::AssetPointer> known;
   std::erase_if(live_assets, [&](const std::weak_ptr<api::SharedAsset>& live) {
     const api::AssetPointer asset = live.lock();
-    if (asset) known[asset->subject->asset] = asset;
+    if (asset) known[asset->data] = asset;
     return !asset;
   });
 
@@ -58,8 +58,8 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
     const std::shared_ptr<const scene::AssetData> data = Asset::State::of(placed.instance.asset);
     api::AssetPointer& asset = known[data];
     if (!asset) {
-      asset = std::make_shared<api::SharedAsset>(
-          api::SharedAsset{.subject = setup::examine(data), .source = placed.instance.asset});
+      asset =
+          std::make_shared<api::SharedAsset>(api::SharedAsset{.data = data, .source = placed.instance.asset});
       live_assets.push_back(asset);
     }
     of_instances.push_back(asset);
@@ -128,16 +128,7 @@ std::string describe_plan(const Scene& scene, const RenderSettings& settings, bo
     environment_lights = setup::environment_lights(
         environment::split_sources(setup::read_environment(*source)).sources, settings);
 
-  std::map<std::shared_ptr<const scene::AssetData>, setup::SubjectPointer> examined;
-  std::vector<setup::SubjectPointer> subjects;
-  for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
-    const std::shared_ptr<const scene::AssetData> asset = Asset::State::of(placed.instance.asset);
-    setup::SubjectPointer& subject = examined[asset];
-    if (!subject) subject = setup::examine(asset);
-    subjects.push_back(subject);
-  }
-
-  setup::PlacedScene placed = api::placed_scene(scene, subjects);
+  setup::PlacedScene placed = api::placed_scene(scene);
   setup::take_profile(placed, settings);
   const setup::FrameSetup setup = setup::set_up(placed, settings, {}, environment_lights, nullptr, false);
   passes::FramePlan plan;

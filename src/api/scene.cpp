@@ -146,8 +146,6 @@ InstanceId Scene::add(const Instance& instance) {
       .id = InstanceId{state_->next_id},
       .instance = instance,
       .placed = {.asset = {},
-                 .subject = {},
-                 .sphere = {},
                  .world_from_asset = checked_transform(instance.world_from_asset),
                  .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
                  .visible = instance.visible,
@@ -335,15 +333,12 @@ scene::Light placed_light(const Light& light, const setup::Similarity& world_fro
           .radius = static_cast<float>(light.radius) * scale};
 }
 
-setup::PlacedScene placed_scene(const Scene& scene, std::span<const setup::SubjectPointer> subjects) {
+setup::PlacedScene placed_scene(const Scene& scene) {
   const Scene::State& state = scene.state();
-  if (!subjects.empty()) DERMIS_ASSERT_EQ(subjects.size(), state.instances.size());
   setup::PlacedScene placed{.name = scene.name(), .instances = {}, .lights = {}};
   for (const Scene::State::PlacedInstance& from : state.instances) {
     setup::PlacedAsset& to = placed.instances.emplace_back(from.placed);
     to.asset = Asset::State::of(from.instance.asset);
-    if (!subjects.empty()) to.subject = subjects[placed.instances.size() - 1];
-    to.sphere = to.subject ? to.subject->bounds.sphere : scene::skin_sphere(*to.asset);
     to.posed_change = from.changes.rig;
   }
 
@@ -354,8 +349,6 @@ setup::PlacedScene placed_scene(const Scene& scene, std::span<const setup::Subje
   }
   return placed;
 }
-
-setup::PlacedScene placed_scene(const Scene& scene) { return placed_scene(scene, {}); }
 
 }  // namespace api
 }  // namespace dermis

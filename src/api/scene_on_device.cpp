@@ -36,20 +36,20 @@ class UploadTime {
 void upload_asset(gpu::PipelineLibrary& library, SharedAsset& asset) {
   if (asset.gpu) return;
   const UploadTime time(asset);
-  asset.gpu.emplace(library, *asset.subject->asset, asset.subject->skin);
+  asset.gpu.emplace(library, *asset.data, asset.data->skin);
 }
 
 // Finds what each point of the skin sees of its surroundings.
 void add_bent_normals(gpu::Device& device, SharedAsset& asset) {
-  const std::size_t meshes = asset.subject->skin.size();
+  const std::size_t meshes = asset.data->skin.size();
   if (asset.bent_normal.size() == meshes) return;
 
   const UploadTime time(asset);
   const setup::Preparation& prepare = setup::preparation("the surroundings that skin sees");
   Steps steps("occlusion of the surroundings", meshes - asset.bent_normal.size());
   for (std::size_t i = asset.bent_normal.size(); i < meshes; ++i) {
-    environment::Occlusion seen = prepare.occlusion(*asset.subject->asset, asset.subject->skin[i],
-                                                    {.side = environment::occlusion_side(meshes)});
+    environment::Occlusion seen =
+        prepare.occlusion(*asset.data, asset.data->skin[i], {.side = environment::occlusion_side(meshes)});
     asset.gpu->skin[i].bent_normal =
         passes::unwrap_map(device, asset.gpu->skin[i].name + " bent normal", seen.side, {&seen.values});
     // Free what the device has now; each new sky needs only the rest.
@@ -64,10 +64,10 @@ void add_shape(gpu::Device& device, SharedAsset& asset) {
   if (asset.has_shape) return;
   const UploadTime time(asset);
   const setup::Preparation& prepare = setup::preparation("the shape of the body");
-  Steps steps("the shape of the body", asset.subject->skin.size());
-  for (std::size_t i = 0; i < asset.subject->skin.size(); ++i) {
-    const auto shape = prepare.body_shape(*asset.subject->asset, asset.subject->skin[i]);
-    asset.gpu->give_shape(device, i, asset.subject->skin[i], shape);
+  Steps steps("the shape of the body", asset.data->skin.size());
+  for (std::size_t i = 0; i < asset.data->skin.size(); ++i) {
+    const auto shape = prepare.body_shape(*asset.data, asset.data->skin[i]);
+    asset.gpu->give_shape(device, i, asset.data->skin[i], shape);
     steps.done();
   }
   asset.has_shape = true;
@@ -77,9 +77,9 @@ void add_shape(gpu::Device& device, SharedAsset& asset) {
 void add_label_vertices(gpu::Device& device, SharedAsset& asset) {
   if (asset.has_label_vertices) return;
   const UploadTime time(asset);
-  const scene::AssetData& scene = *asset.subject->asset;
+  const scene::AssetData& scene = *asset.data;
   const setup::LabelVertices found =
-      setup::preparation("labels of the face").label_vertices(scene, asset.subject->skin, asset.source);
+      setup::preparation("labels of the face").label_vertices(scene, asset.data->skin, asset.source);
   for (std::size_t i = 0; i < found.skin.size(); ++i)
     asset.gpu->skin[i].label_vertices = gpu::make_buffer(device, asset.gpu->skin[i].name + " label vertices",
                                                          std::span<const io::LabelVertexIo>(found.skin[i]),
@@ -100,8 +100,8 @@ void add_label_vertices(gpu::Device& device, SharedAsset& asset) {
 // Uploads what finds the curvature of its skin, unless it is there.
 void add_welded(gpu::Device& device, SharedAsset& asset) {
   const UploadTime time(asset);
-  for (std::size_t i = 0; i < asset.subject->skin.size(); ++i)
-    asset.gpu->make_welded(device, i, asset.subject->skin[i]);
+  for (std::size_t i = 0; i < asset.data->skin.size(); ++i)
+    asset.gpu->make_welded(device, i, asset.data->skin[i]);
 }
 
 // Objects that instances share, by their common key: a scene may have thousands of either.
@@ -146,12 +146,6 @@ std::vector<AssetPointer> each_once(const std::vector<AssetPointer>& assets) {
   return different;
 }
 
-std::vector<setup::SubjectPointer> SceneOnDevice::subjects() const {
-  std::vector<setup::SubjectPointer> subjects;
-  for (const AssetPointer& asset : assets_) subjects.push_back(asset->subject);
-  return subjects;
-}
-
 std::vector<AssetPointer> SceneOnDevice::different_assets() const { return each_once(assets_); }
 
 double SceneOnDevice::upload_ms() const {
@@ -186,8 +180,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
     const setup::MeshSource& source = setup.meshes[size.mesh];
     SharedAsset& asset = *assets_[source.instance];
     const UploadTime time(asset);
-    asset.gpu->make_gutters(device, source.mesh, asset.subject->skin[source.mesh], size.side,
-                            size.width_texels);
+    asset.gpu->make_gutters(device, source.mesh, asset.data->skin[source.mesh], size.side, size.width_texels);
     steps.done();
   }
 }

@@ -12,13 +12,12 @@
 #include "render/passes/frame_data.h"
 #include "render/setup/environment_light.h"
 #include "render/setup/frame_setup.h"
-#include "render/setup/subject.h"
 
 namespace dermis::api {
 
-/// An asset, examined and (once a frame has found room) on the device; shared by all that show it.
+/// An asset that (once a frame has found room) is on the device; shared by all that show it.
 struct SharedAsset {
-  setup::SubjectPointer subject;
+  std::shared_ptr<const scene::AssetData> data;
   std::optional<Asset> source{};        ///< whose landmarks divide the skin; none: not asked for
   std::optional<passes::GpuAsset> gpu;  ///< looks point into it: never moved
   /// one per skin mesh, once an environment was asked for; values are on the device only
@@ -53,8 +52,8 @@ class SceneOnDevice {
   /// `assets`: one per instance.
   explicit SceneOnDevice(std::vector<AssetPointer> assets) : assets_(std::move(assets)) {}
 
-  std::vector<setup::SubjectPointer> subjects() const;  ///< one per instance
-  std::vector<AssetPointer> different_assets() const;   ///< each once
+  std::vector<AssetPointer> different_assets() const;                  ///< each once
+  const std::vector<AssetPointer>& assets() const { return assets_; }  ///< one per instance
   const AssetPointer& asset(std::size_t instance) const { return assets_[instance]; }
   const std::shared_ptr<const SharedLook>& look(std::size_t instance) const {  ///< after upload()
     return looks_[instance];

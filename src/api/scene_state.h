@@ -5,13 +5,11 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "dermis/scene.h"
 #include "render/setup/placed_scene.h"
-#include "render/setup/subject.h"
 
 namespace dermis {
 
@@ -19,7 +17,7 @@ struct Scene::State {
   struct PlacedInstance {
     InstanceId id{};
     Instance instance;
-    setup::PlacedAsset placed;  ///< the same, checked and converted; without asset, subject and sphere
+    setup::PlacedAsset placed;  ///< the same, checked and converted; without asset
     InstanceChanges changes;
   };
   /// Of a light of a file: the instance whose poses move it, and its number in the asset.
@@ -52,10 +50,8 @@ namespace api {
 /// Returns what the asset of a scene of one instance holds.
 const scene::AssetData& only_asset(const Scene& scene);
 
-/// Returns the scene as the reference and cameras take it: without subjects.
+/// Returns the scene as frames and the reference take it.
 setup::PlacedScene placed_scene(const Scene& scene);
-/// Returns the scene as a frame takes it. `subjects`: one per instance.
-setup::PlacedScene placed_scene(const Scene& scene, std::span<const setup::SubjectPointer> subjects);
 
 /// Returns a light of the scene as it stands: what a file has at one of its nodes moves with the pose of its
 /// instance.

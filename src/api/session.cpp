@@ -175,7 +175,7 @@ Statistics Session::State::statistics(const Slot& slot) const {
     const std::span<const std::byte> counted = slot.counters.mapped();
     counters.assign(counted.begin(), counted.end());
   }
-  api::fill_counts(statistics, slot.scene.subjects(), slot.settings, slot.setup, counters);
+  api::fill_counts(statistics, slot.scene.different_assets(), slot.settings, slot.setup, counters);
   api::fill_recorded(statistics, slot.recorded);
   api::fill_device(statistics, device);
   statistics.exposure_ev = *slot.settings.output.exposure_ev;

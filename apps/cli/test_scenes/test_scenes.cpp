@@ -13,6 +13,7 @@
 #include "base/core/known_names.h"
 #include "cli/test_scenes/shapes.h"
 #include "head/scene/framing.h"
+#include "head/scene/surface/measured.h"
 
 namespace dermis::cli::test_scenes {
 namespace {
@@ -41,9 +42,7 @@ scene::Light sun(double azimuth_deg, double elevation_deg, double irradiance = p
   return light;
 }
 
-Asset asset_of(scene::AssetData made) {
-  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(made)));
-}
+Asset asset_of(scene::AssetData made) { return Asset::State::make(scene::measured(std::move(made))); }
 
 /// The built-in head without a name of a file: what follows changes it.
 scene::AssetData head(const Hooks& hooks) { return *Asset::State::of(Asset::built_in(hooks)); }
@@ -104,7 +103,7 @@ scene::AssetData small_head(int picture_height, const Hooks& hooks) {
 scene::AssetData two_eyes(const Hooks& hooks) {
   constexpr double between_m = 0.063, distance_m = 0.8;
   scene::AssetData made = head(hooks);
-  const glm::dvec3 target_m = scene::skin_sphere(made).centre_m;
+  const glm::dvec3 target_m = scene::skin_bounds(made).sphere.centre_m;
   made.cameras.clear();
   for (const double side : {-1.0, 1.0}) {
     const glm::dvec3 eye_m = target_m + glm::dvec3(side * between_m / 2, 0, distance_m);
@@ -118,7 +117,7 @@ scene::AssetData two_eyes(const Hooks& hooks) {
 
 scene::AssetData without_perspective(const Hooks& hooks) {
   scene::AssetData made = head(hooks);
-  const scene::BoundingSphere sphere = scene::skin_sphere(made);
+  const scene::BoundingSphere sphere = scene::skin_bounds(made).sphere;
   scene::Camera camera = scene::look_at_camera(
       glm::dvec3(sphere.centre_m) + 1.0 * scene::head_direction(25, 5), glm::dvec3(sphere.centre_m));
   camera.orthographic = true;

@@ -16,6 +16,7 @@
 #include "dermis/scene.h"
 #include "head/builtin_head/builtin_head.h"
 #include "head/scene/import/load.h"
+#include "head/scene/surface/measured.h"
 
 namespace dermis {
 namespace {
@@ -56,7 +57,7 @@ Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options
 Asset Asset::built_in(const Hooks& hooks) {
   const HookScope scope(hooks);
   scene::AssetData made = builtin_head::make({.cache = cache::default_folder()});
-  return State::make(std::make_shared<const scene::AssetData>(std::move(made)), State::Source{});
+  return State::make(scene::measured(std::move(made)), State::Source{});
 }
 
 Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {

@@ -15,21 +15,11 @@
 
 #include "dermis/asset_arrays.h"
 #include "dermis/light.h"
+#include "head/scene/skin_mesh.h"
 #include "image/image.h"
 #include "tissue/gaussians/sum.h"
 
 namespace dermis::scene {
-
-/// One corner of a triangle. Texture coordinates are raw (no KHR_texture_transform), v down as in glTF.
-struct Vertex {
-  glm::vec3 position_m{0};
-  glm::vec3 normal{0, 0, 1};  ///< unit
-  /// unit xyz, w = handedness (+1 or -1); for the normal map's transformed coordinates
-  glm::vec4 tangent{1, 0, 0, 1};
-  glm::vec2 uv0{0};
-  glm::vec2 uv1{0};
-  glm::vec4 colour{1};  ///< COLOR_0, linear; 1 if absent
-};
 
 /// A map of a material: image, texture coordinates and their transform, uv' = transform * (u, v, 1).
 struct MapRef {
@@ -167,6 +157,11 @@ struct BoundingSphere {
   float radius_m = 0;
 };
 
+struct Bounds {
+  glm::vec3 low_m{0}, high_m{0};  ///< of the box
+  BoundingSphere sphere;          ///< bounding_sphere() of framing.h
+};
+
 struct Rig;  // head/scene/rig/rig.h
 
 struct AssetData {
@@ -182,6 +177,12 @@ struct AssetData {
   std::string why_no_rig;  ///< empty: there is one, or nothing can move
   /// world metres to mm; unit_scale multiplies positions at load, so this stays 1000
   double mm_per_unit = 1000;
+
+  // Import ends with measured() of surface/measured.h, which fills these.
+  std::vector<SkinMesh> skin;               ///< skin_meshes()
+  Bounds bounds;                            ///< skin_bounds()
+  BoundingSphere casters;                   ///< of everything: hair cards and collars cast shadows too
+  std::vector<glm::vec3> caster_corners_m;  ///< enclosing_corners() of the same
 };
 
 }  // namespace dermis::scene

@@ -23,14 +23,8 @@ BoundingSphere bounding_sphere(std::span<const glm::vec3> points_m);
 /// Returns the bounding_sphere of all vertices of the primitives that `counts`, in all their placements.
 BoundingSphere bounding_sphere(const AssetData& scene, const std::function<bool(const Primitive&)>& counts);
 
-struct Bounds {
-  glm::vec3 low_m{0}, high_m{0};  ///< of the box
-  BoundingSphere sphere;          ///< the bounding_sphere
-};
-
 /// Returns the bounds of the skin, or of everything if nothing is skin. Counts only vertices of triangles.
 Bounds skin_bounds(const AssetData& scene);
-inline BoundingSphere skin_sphere(const AssetData& scene) { return skin_bounds(scene).sphere; }
 
 /// Returns the unit vector from a head towards azimuth (0 = its front, +Z; 90 = its left, +X) and elevation
 /// (90 = +Y), degrees.

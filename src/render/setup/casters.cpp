@@ -17,19 +17,19 @@ std::vector<glm::vec3> placed(const std::vector<glm::vec3>& points_m, const Simi
 
 }  // namespace
 
-Casters::Casters(const Subject& subject, const PosedAsset* posed, const Similarity& world_from_asset,
+Casters::Casters(const scene::AssetData& asset, const PosedAsset* posed, const Similarity& world_from_asset,
                  bool deformed)
-    : sphere_(world_from_asset.sphere(posed ? posed->all.sphere : subject.casters)) {
+    : sphere_(world_from_asset.sphere(posed ? posed->all.sphere : asset.casters)) {
   if (deformed) return;
   if (!posed) {
-    corners_m_ = placed(subject.caster_corners_m, world_from_asset);
+    corners_m_ = placed(asset.caster_corners_m, world_from_asset);
     return;
   }
 
   corners_m_ = placed(posed->corners_m, world_from_asset);
   if (corners_m_.empty()) return;
-  rest_corners_m_ = placed(subject.caster_corners_m, world_from_asset);
-  rest_ = {world_from_asset.sphere(subject.casters), rest_corners_m_};
+  rest_corners_m_ = placed(asset.caster_corners_m, world_from_asset);
+  rest_ = {world_from_asset.sphere(asset.casters), rest_corners_m_};
 }
 
 }  // namespace dermis::setup

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "head/scene/asset_data.h"
 #include "render/passes/shadow/fit.h"
 #include "render/setup/placed_scene.h"
-#include "render/setup/subject.h"
 
 namespace dermis::setup {
 
@@ -17,7 +17,7 @@ class Casters {
  public:
   /// `posed`: of a head in a pose, else null. `deformed`: a host moves its vertices, which may leave the body
   /// between the corners; only its sphere is known.
-  Casters(const Subject& subject, const PosedAsset* posed, const Similarity& world_from_asset,
+  Casters(const scene::AssetData& asset, const PosedAsset* posed, const Similarity& world_from_asset,
           bool deformed = false);
   Casters(const Casters&) = delete;
   Casters& operator=(const Casters&) = delete;

@@ -14,9 +14,9 @@ namespace {
 constexpr int side_step = 32;  // texels
 
 // The mean density of the first skin mesh that has texture coordinates, at T_max; 0 if none has.
-double texels_per_mm(const Subject& subject, const RenderSettings& s) {
-  for (const scene::UnwrapDensity& density : subject.densities)
-    if (density.uv_per_mm.mean > 0) return density.uv_per_mm.mean * s.quality.map_size;
+double texels_per_mm(const scene::AssetData& asset, const RenderSettings& s) {
+  for (const scene::SkinMesh& mesh : asset.skin)
+    if (mesh.density.uv_per_mm.mean > 0) return mesh.density.uv_per_mm.mean * s.quality.map_size;
   return 0;
 }
 
@@ -78,39 +78,40 @@ io::CameraIo frame_camera(const scene::Camera& camera, double picture_aspect) {
   return out;
 }
 
-double reference_distance(const Subject& subject, const RenderSettings& s, const scene::Camera& camera) {
+double reference_distance(const scene::AssetData& asset, const RenderSettings& s,
+                          const scene::Camera& camera) {
   if (camera.orthographic) return 0;
   if (s.quality.d_ref) return *s.quality.d_ref;
-  const double density = texels_per_mm(subject, s);
+  const double density = texels_per_mm(asset, s);
   if (density <= 0) return 0;
 
   // pixels per mm at distance d (mm) = (height / 2) / (d tan(fov / 2)).
   const double fov_y_rad = camera.fov_y_rad;
   const double pixels = s.output.height * density_across(s, camera);
   const double d_mm = pixels / 2.0 / (density * std::tan(fov_y_rad / 2));
-  return d_mm / (subject.bounds.sphere.radius_m * subject.asset->mm_per_unit);
+  return d_mm / (asset.bounds.sphere.radius_m * asset.mm_per_unit);
 }
 
-double pixels_per_mm(const Subject& subject, const RenderSettings& s, const scene::Camera& camera,
+double pixels_per_mm(const scene::AssetData& asset, const RenderSettings& s, const scene::Camera& camera,
                      const Similarity& world_from_asset, const PosedAsset* posed) {
   if (camera.orthographic) {
     const double pixels = s.output.height * density_across(s, camera);
-    return pixels / (2.0 * camera.ymag_m * subject.asset->mm_per_unit) * double{world_from_asset.scale};
+    return pixels / (2.0 * camera.ymag_m * asset.mm_per_unit) * double{world_from_asset.scale};
   }
 
   // In the asset, where lengths are in the same proportion.
-  glm::vec3 low_m = subject.bounds.low_m, high_m = subject.bounds.high_m;
+  glm::vec3 low_m = asset.bounds.low_m, high_m = asset.bounds.high_m;
   if (posed) {
     // By steps, so that T stays while a head moves a little: each new T needs lists of gutters.
-    const float step_m = subject.bounds.sphere.radius_m / 8;
+    const float step_m = asset.bounds.sphere.radius_m / 8;
     low_m -= glm::ceil((low_m - posed->skin.low_m) / step_m) * step_m;
     high_m += glm::ceil((posed->skin.high_m - high_m) / step_m) * step_m;
   }
   const glm::vec3 eye_m = world_from_asset.position_in_asset(glm::vec3(camera.world_from_camera[3]));
   const glm::vec3 nearest_m = glm::clamp(eye_m, low_m, high_m);
-  const double d = glm::distance(eye_m, nearest_m) / subject.bounds.sphere.radius_m;
+  const double d = glm::distance(eye_m, nearest_m) / asset.bounds.sphere.radius_m;
   if (!(d > 0)) return std::numeric_limits<double>::infinity();
-  return reference_distance(subject, s, camera) / d * texels_per_mm(subject, s);
+  return reference_distance(asset, s, camera) / d * texels_per_mm(asset, s);
 }
 
 double pixels_across(const scene::BoundingSphere& casters, const RenderSettings& s,
@@ -123,8 +124,8 @@ double pixels_across(const scene::BoundingSphere& casters, const RenderSettings&
   return pixels * radius_m / (distance_m * std::tan(double{camera.fov_y_rad} / 2));
 }
 
-int paper_side(const Subject& subject, const RenderSettings& s, double pixels_per_mm) {
-  const double density = texels_per_mm(subject, s),
+int paper_side(const scene::AssetData& asset, const RenderSettings& s, double pixels_per_mm) {
+  const double density = texels_per_mm(asset, s),
                needed = density > 0 ? pixels_per_mm / density : 0;  // of T_max
   const double steps = std::ceil(std::min(needed, 1.0) * s.quality.map_size / side_step);
   return std::min(s.quality.map_size, side_step * std::max(1, static_cast<int>(steps)));
@@ -137,9 +138,9 @@ std::vector<int> paper_sides(const RenderSettings& s) {
   return sides;
 }
 
-bool in_view(const Subject& subject, const io::CameraIo& camera, const Similarity& world_from_asset,
+bool in_view(const scene::AssetData& asset, const io::CameraIo& camera, const Similarity& world_from_asset,
              const PosedAsset* posed) {
-  const scene::BoundingSphere sphere = world_from_asset.sphere(posed ? posed->all.sphere : subject.casters);
+  const scene::BoundingSphere sphere = world_from_asset.sphere(posed ? posed->all.sphere : asset.casters);
   const glm::vec4 centre(sphere.centre_m, 1);
   return std::all_of(std::begin(camera.planes), std::end(camera.planes),
                      [&](const glm::vec4& plane) { return glm::dot(plane, centre) > -sphere.radius_m; });

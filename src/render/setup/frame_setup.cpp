@@ -99,7 +99,7 @@ std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s
     throw input_error("", "camera.heads must be 1 for a scene of {} instances, got {}",
                       scene.instances.size(), s.camera.heads);
   const PlacedAsset& one = scene.instances.front();
-  const float radius_m = one.world_from_asset.sphere(one.sphere).radius_m;
+  const float radius_m = one.world_from_asset.sphere(one.asset->bounds.sphere).radius_m;
   for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, radius_m))
     add(one.world_from_asset, 0).world_from_asset.origin_m += offset;
   return heads;
@@ -140,20 +140,20 @@ void set_up_camera(FrameSetup& setup, const PlacedScene& scene, const RenderSett
     seen_by.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
                                    : picture_from_world(*s.camera.matrices, camera);
   setup.frame.picture_size = glm::uvec2(s.output.width, s.output.height);
-  setup.d_ref = reference_distance(*scene.instances.front().subject, s, camera);
+  setup.d_ref = reference_distance(*scene.instances.front().asset, s, camera);
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
   for (Head& head : setup.heads) {
     const PlacedAsset& instance = scene.instances[head.instance];
-    const Subject& subject = *instance.subject;
+    const scene::AssetData& asset = *instance.asset;
     const PosedAsset* posed = instance.posed.get();
-    head.middle_m = head.world_from_asset.position((posed ? posed->skin : subject.bounds).sphere.centre_m);
-    const Casters casters(subject, posed, head.world_from_asset, is_deformed(host, head));
+    head.middle_m = head.world_from_asset.position((posed ? posed->skin : asset.bounds).sphere.centre_m);
+    const Casters casters(asset, posed, head.world_from_asset, is_deformed(host, head));
     set_up_shadows(head, setup.lights, casters.bounds(), s, camera, host);
 
-    if (!subject.skin.empty())
-      head.detail.pixels_per_mm = pixels_per_mm(subject, s, camera, head.world_from_asset, posed);
-    head.visible = instance.visible && (!skip || in_view(subject, seen_by, head.world_from_asset, posed));
+    if (!asset.skin.empty())
+      head.detail.pixels_per_mm = pixels_per_mm(asset, s, camera, head.world_from_asset, posed);
+    head.visible = instance.visible && (!skip || in_view(asset, seen_by, head.world_from_asset, posed));
     // A host may move vertices anywhere.
     const glm::uvec2 size = setup.frame.picture_size;
     head.area = !head.visible             ? passes::PixelArea{}
@@ -226,7 +226,7 @@ void check_host_maps(const FrameSetup& setup, const PlacedScene& scene) {
   const techniques::FrameSettings& plan = setup.plan;
   if (!plan.host || !(plan.host_lights() || plan.host->scattered)) return;
   for (const PlacedAsset& instance : scene.instances)
-    for (const scene::SkinMesh& mesh : instance.subject->skin)
+    for (const scene::SkinMesh& mesh : instance.asset->skin)
       if (mesh.layers > 1)
         throw input_error(instance.asset->name,
                           "skin '{}' has charts on the same texture coordinates, so its light map lays them "
@@ -346,13 +346,12 @@ void warn_coarse(const PlacedScene& scene, const FrameSetup& setup) {
   if (widest_texels(*worst) > 0.15) return;
 
   const MeshSource& source = setup.meshes[static_cast<std::size_t>(worst - setup.plan.skin.data())];
-  const Subject& subject = *scene.instances[source.instance].subject;
+  const scene::AssetData& asset = *scene.instances[source.instance].asset;
   warn(
       "{}: a twentieth of skin '{}' has {:.2g} texels per mm of light map or fewer: light does not scatter "
       "there. Coordinates that fill more of the square hold more, or a larger quality.map_size, where that "
       "bounds the maps ({} texels are taken)",
-      subject.asset->name, subject.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size,
-      worst->map_size);
+      asset.name, asset.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size, worst->map_size);
 }
 
 std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings) {
@@ -375,7 +374,9 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
 FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const DeviceTraits& device,
                   const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host,
                   bool every_view) {
-  for (const PlacedAsset& instance : scene.instances) DERMIS_ASSERT(instance.subject != nullptr);
+  for (const PlacedAsset& instance : scene.instances)
+    if (!(instance.asset->bounds.sphere.radius_m > 0))
+      throw input_error(instance.asset->name, "has nothing to see: all its triangles lie at one point");
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.heads = placed_heads(scene, s);

@@ -91,9 +91,9 @@ void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSet
     detail.side = model.meshes > 0 ? plan.map_size_of(plan.skin[model.first_mesh]) : plan.map_size;
     if (plan.mixes())
       detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, detail.side);
-    else if (const Subject& subject = *scene.instances[head.instance].subject;
-             plan.optimise.depth && !subject.skin.empty())
-      detail.side = static_cast<std::uint32_t>(paper_side(subject, s, detail.pixels_per_mm));
+    else if (const scene::AssetData& asset = *scene.instances[head.instance].asset;
+             plan.optimise.depth && !asset.skin.empty())
+      detail.side = static_cast<std::uint32_t>(paper_side(asset, s, detail.pixels_per_mm));
   }
 }
 

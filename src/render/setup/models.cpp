@@ -25,7 +25,7 @@ constexpr double wide_mm = 1;
 
 // Common properties of the heads of a model.
 struct ModelKey {
-  const Subject* subject = nullptr;
+  const scene::AssetData* asset = nullptr;
   float scale = 1;
   std::optional<ScatterProfile> profile;
   /// An instance in a pose has a metric of its own.
@@ -73,9 +73,9 @@ void take_unscattered(techniques::PlannedMesh& part) {
 }
 
 techniques::PlannedMesh skin_part(const ModelKey& model, std::size_t number, const RenderSettings& s) {
-  const Subject& subject = *model.subject;
-  const scene::SkinMesh& mesh = subject.skin[number];
-  const scene::UnwrapDensity& density = subject.densities[number];
+  const scene::AssetData& asset = *model.asset;
+  const scene::SkinMesh& mesh = asset.skin[number];
+  const scene::UnwrapDensity& density = mesh.density;
   const auto material = static_cast<std::size_t>(mesh.triangle_material.front());
 
   techniques::PlannedMesh part;
@@ -86,10 +86,10 @@ techniques::PlannedMesh skin_part(const ModelKey& model, std::size_t number, con
   part.draws = static_cast<std::uint32_t>(draws.size());
   part.parts = 0;
   for (const passes::GpuDraw& draw : draws) part.parts += draw.parts();
-  part.profile = choose_profile(subject.asset->materials[material], model.profile);
+  part.profile = choose_profile(asset.materials[material], model.profile);
   choose_shape(part.profile, s);
   take_unscattered(part);
-  part.mm_per_unit = subject.asset->mm_per_unit;
+  part.mm_per_unit = asset.mm_per_unit;
   if (model.scale != 1) {
     part.profile = in_asset(part.profile, double{model.scale});
     part.mm_per_unit /= double{model.scale};
@@ -105,7 +105,7 @@ techniques::PlannedMesh skin_part(const ModelKey& model, std::size_t number, con
   part.off_map = scene::has_chartless(mesh);
   part.kinds.reset();
   for (const int index : mesh.triangle_material) {
-    const scene::Material& of_triangle = subject.asset->materials[static_cast<std::size_t>(index)];
+    const scene::Material& of_triangle = asset.materials[static_cast<std::size_t>(index)];
     const passes::SkinKind kind{.cut_out = of_triangle.alpha_mode == AssetAlpha::mask,
                                 .emits = of_triangle.emissive != glm::vec3(0),
                                 .detailed = of_triangle.skin_settings.detail.present()};
@@ -130,31 +130,31 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, const RenderSett
   techniques::FrameSettings& plan = setup.plan;
   plan.models.clear();
   // Models that differ in no more than their profile.
-  std::map<std::tuple<const Subject*, float, bool, std::size_t>,
+  std::map<std::tuple<const scene::AssetData*, float, bool, std::size_t>,
            std::vector<std::pair<std::optional<ScatterProfile>, std::uint32_t>>>
       known;
-  std::map<std::pair<const Subject*, std::optional<std::size_t>>, std::uint32_t> first_unwraps;
+  std::map<std::pair<const scene::AssetData*, std::optional<std::size_t>>, std::uint32_t> first_unwraps;
   std::uint32_t unwraps = 0;
 
   for (Head& head : setup.heads) {
     const PlacedAsset& instance = scene.instances[head.instance];
-    const ModelKey key{.subject = instance.subject.get(),
+    const ModelKey key{.asset = instance.asset.get(),
                        .scale = head.world_from_asset.scale,
                        .profile = instance.profile,
                        .posed = instance.posed ? std::optional(head.instance) : std::nullopt};
-    auto& alike = known[{key.subject, key.scale, key.posed.has_value(), key.posed.value_or(0)}];
+    auto& alike = known[{key.asset, key.scale, key.posed.has_value(), key.posed.value_or(0)}];
     const auto found = std::find_if(alike.begin(), alike.end(),
                                     [&](const auto& model) { return model.first == key.profile; });
     head.model = found == alike.end() ? static_cast<std::uint32_t>(plan.models.size()) : found->second;
     if (found != alike.end()) continue;
     alike.emplace_back(key.profile, head.model);
 
-    const auto meshes = static_cast<std::uint32_t>(key.subject->skin.size());
-    const auto [unwrap, is_new] = first_unwraps.try_emplace(std::pair(key.subject, key.posed), unwraps);
+    const auto meshes = static_cast<std::uint32_t>(key.asset->skin.size());
+    const auto [unwrap, is_new] = first_unwraps.try_emplace(std::pair(key.asset, key.posed), unwraps);
     if (is_new) unwraps += meshes;
 
     techniques::Model model{.first_mesh = static_cast<std::uint32_t>(plan.skin.size()), .meshes = meshes};
-    fill_surfaces(model, *key.subject->asset);
+    fill_surfaces(model, *key.asset);
     for (std::uint32_t mesh = 0; mesh < meshes; ++mesh) {
       plan.skin.push_back(skin_part(key, mesh, s));
       plan.skin.back().unwrap = unwrap->second + mesh;

@@ -91,7 +91,7 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   HeadSpheres spheres;
   const PlacedAsset& first = scene.instances.front();
   if (scene.instances.size() == 1) {
-    spheres.middle = first.world_from_asset.sphere(first.sphere);
+    spheres.middle = first.world_from_asset.sphere(first.asset->bounds.sphere);
     spheres.lit = spheres.middle;
     spheres.framed = {spheres.middle};
     spheres.offsets_m = scene::head_row_offsets(s.camera.heads, spheres.middle.radius_m);
@@ -103,7 +103,7 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   glm::vec3 low(INFINITY), high(-INFINITY);
   for (const PlacedAsset& instance : scene.instances) {
     if (!instance.visible && any_visible) continue;
-    const scene::BoundingSphere sphere = instance.world_from_asset.sphere(instance.sphere);
+    const scene::BoundingSphere sphere = instance.world_from_asset.sphere(instance.asset->bounds.sphere);
     low = glm::min(low, sphere.centre_m - sphere.radius_m);
     high = glm::max(high, sphere.centre_m + sphere.radius_m);
     spheres.middle.radius_m = std::max(spheres.middle.radius_m, sphere.radius_m);

@@ -16,8 +16,6 @@
 
 namespace dermis::setup {
 
-struct Subject;
-
 /// From the coordinates of an asset to the world: a rotation, one scale, then a shift.
 struct Similarity {
   glm::mat3 rotation{1};
@@ -47,8 +45,6 @@ struct PosedAsset {
 
 struct PlacedAsset {
   std::shared_ptr<const scene::AssetData> asset;
-  std::shared_ptr<const Subject> subject;  ///< what a frame shows of it; null: this is for no frame
-  scene::BoundingSphere sphere;            ///< of the asset's skin as it was loaded, in its own coordinates
   Similarity world_from_asset;
   std::shared_ptr<const PosedAsset> posed;  ///< null: as the asset was loaded
   std::uint64_t posed_change = 0;           ///< InstanceChanges::rig

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Light that comes through the body. One read of a light's map serves both of its uses: where the surface
-// faces the light, the share that arrives; where it faces away, place and angle at which transmitted light
-// has entered. Translucent shadow maps; docs/techniques.md explains the design. Based on: [SD03]
+// Light that comes through the body. One read of a light's map serves both of its uses. Where the surface
+// faces the light, that is the share that arrives; where it faces away, place and angle at which transmitted
+// light has entered. Translucent shadow maps; docs/techniques.md explains the design. Based on: [SD03]
 // Dachsbacher, Stamminger: Translucent Shadow Maps, EGSR 2003 (entering light is part of the shadow map, and
 // is gathered in the light's view). [DLE07] GPU Gems 3, ch. 14.5 (thickness with the normals' correction).
 // Follows skin_point.glsl.

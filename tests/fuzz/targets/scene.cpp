@@ -92,7 +92,7 @@ void prepare(const AssetData& scene) {
                     texel.source_y >= 0 && texel.source_y <= side);
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) fine_normals(scene, i, skin);
-  skin_sphere(scene);
+  skin_bounds(scene);
 }
 
 void check_inside(const Bounds& bounds, const glm::vec3& position_m) {

@@ -22,6 +22,7 @@
 #include "gpu/support/settings.h"
 #include "head/scene/framing.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/assets.h"
 #include "support/thrown.h"
 
@@ -73,7 +74,7 @@ Asset head() {
 // The same scene as one asset, its vertices in the world.
 Scene flattened(const Scene& scene) {
   Scene flat;
-  flat.add({.asset = Asset::State::make(setup::flattened(api::placed_scene(scene)))});
+  flat.add({.asset = Asset::State::make(scene::measured(*setup::flattened(api::placed_scene(scene))))});
   for (const LightId id : scene.lights()) flat.add_light(scene.light(id));
   return flat;
 }
@@ -167,7 +168,7 @@ constexpr double elsewhere_in_the_maps = 4 * half_rounding;
 // Each of several instances, of two assets with profiles, mixes, tints and scales of their own, is drawn as
 // if it were alone.
 TEST(Instances, DoNotSeeEachOther) {
-  const Asset ball = Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.06)));
+  const Asset ball = Asset::State::make(scene::measured(scene::sphere(0.06)));
   Scene scene;
   for (int i = 0; i < 6; ++i)
     scene.add({.asset = i % 3 == 2 ? ball : head(),
@@ -256,7 +257,7 @@ TEST(Instances, OfARowAreItsHeads) {
   row.camera.heads = 3;
 
   Scene three;
-  const double radius_m = static_cast<double>(scene::skin_sphere(api::only_asset(one)).radius_m);
+  const double radius_m = static_cast<double>(api::only_asset(one).bounds.sphere.radius_m);
   for (int i = 0; i < 3; ++i)
     three.add({.asset = head(),
                .world_from_asset = transform(
@@ -322,7 +323,7 @@ TEST(Instances, AnEnvironmentOfPixelsIsThatOfTheFile) {
   auto rgb = std::make_shared<std::vector<float>>(8 * 4 * 3, 0.2f);
   for (int i = 0; i < 3; ++i) (*rgb)[static_cast<std::size_t>(3 * (8 + 5) + i)] = 2.0f;
   pixels.rgb = rgb;
-  Scene scene(Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.06))));
+  Scene scene(Asset::State::make(scene::measured(scene::sphere(0.06))));
   RenderSettings s = settings_for(48);
   s.lighting.rig_lights = 0;
   const Picture uniform = renderer().render(scene, s);
@@ -333,7 +334,7 @@ TEST(Instances, AnEnvironmentOfPixelsIsThatOfTheFile) {
 }
 
 TEST(Instances, AnEnvironmentByNameIsThatOfTheSettings) {
-  Scene scene(Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.06))));
+  Scene scene(Asset::State::make(scene::measured(scene::sphere(0.06))));
   RenderSettings s = settings_for(48);
   s.lighting.rig_lights = 0;
   const Picture uniform = renderer().render(scene, s);

@@ -9,6 +9,7 @@
 #include "api/rig_pose.h"
 #include "gpu/device.h"
 #include "head/scene/import/load.h"
+#include "head/scene/surface/measured.h"
 #include "render/passes/pose/move_rig/move_rig.h"
 #include "render/passes/shaders.h"
 #include "support/assets.h"
@@ -38,9 +39,9 @@ class MovedOnDevice : public testing::Test {
     const std::filesystem::path file = asset_cache() / name;
     if (const std::string missing = missing_asset({file}); !missing.empty()) GTEST_SKIP() << missing;
     const LogLines quiet;
-    scene_ = std::make_shared<const scene::AssetData>(scene::load_gltf(file));
-    asset_ = std::make_shared<api::SharedAsset>(api::SharedAsset{.subject = setup::examine(scene_)});
-    asset_->gpu.emplace(*library_, *scene_, asset_->subject->skin);
+    scene_ = scene::measured(scene::load_gltf(file));
+    asset_ = std::make_shared<api::SharedAsset>(api::SharedAsset{.data = scene_});
+    asset_->gpu.emplace(*library_, *scene_, scene_->skin);
     on_device_ = api::SceneOnDevice({asset_, asset_});
     placed_.instances.resize(2);
     setup_.heads = {{.number = 0, .instance = 0}, {.number = 1, .instance = 1}};
@@ -92,15 +93,15 @@ class MovedOnDevice : public testing::Test {
       normals = std::max(normals, double{glm::distance(found.normal, wanted.normal)});
       tangents = std::max(tangents, double{glm::distance(found.tangent, wanted.tangent)});
     };
-    for (std::size_t m = 0; m < asset_->subject->skin.size(); ++m) {
+    for (std::size_t m = 0; m < scene_->skin.size(); ++m) {
       const std::vector<io::VertexIo> found = vertices(instance, m);
-      const std::vector<scene::PrimitiveVertex>& origins = asset_->subject->skin[m].origins;
+      const std::vector<scene::PrimitiveVertex>& origins = scene_->skin[m].origins;
       ASSERT_EQ(found.size(), origins.size());
       for (std::size_t v = 0; v < found.size(); ++v)
         compare(found[v], expected.primitives[origins[v].primitive].vertices[origins[v].vertex]);
     }
     for (std::size_t p = 0; p < asset_->gpu->surfaces.pages.size(); ++p) {
-      const std::vector<io::VertexIo> found = vertices(instance, asset_->subject->skin.size() + p);
+      const std::vector<io::VertexIo> found = vertices(instance, scene_->skin.size() + p);
       for (const passes::GpuSurfaces::Page::Part& part : asset_->gpu->surfaces.pages[p].parts) {
         const std::vector<scene::Vertex>& wanted = expected.primitives[part.primitive].vertices;
         for (std::size_t v = 0; v < wanted.size(); ++v) compare(found[part.first_vertex + v], wanted[v]);
@@ -127,7 +128,7 @@ class MovedOnDevice : public testing::Test {
         const double size = double{g.x} + double{g.z};
         off += glm::distance(found[v].metric_mm2, g) > 1e-3 * size ? 1 : 0;
         apart = std::max(apart, double{glm::distance(found[v].metric_mm2, g)} / size);
-        at_rest = std::max(at_rest, double{glm::distance(asset_->subject->skin[m].metric[v], g)} / size);
+        at_rest = std::max(at_rest, double{glm::distance(scene_->skin[m].metric[v], g)} / size);
       }
       // Which slivers are left out is decided once; few vertices have one.
       EXPECT_LE(off, found.size() / 500);

@@ -15,6 +15,7 @@
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
 #include "head/scene/rig/rig.h"
+#include "head/scene/surface/measured.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 #include "support/assets.h"
@@ -278,18 +279,19 @@ TEST(PosedSkin, KeepsTheWidthOfItsGaussiansInMillimetres) {
     return scene;
   };
 
-  const Asset asset = Asset::State::make(data);
+  const Asset asset = Asset::State::make(scene::measured(*data));
   Scene scene = scene_of(asset);
   const InstanceId plane = scene.instances().front();
   for (const double weight : {0.25, 1.0, 0.5}) {
     scene.set_pose(plane, RigPose{.weights = {{"stretch", weight}}});
     const Picture found = renderer().render(scene, s);
 
-    auto still = std::make_shared<scene::AssetData>(*data);
+    scene::AssetData still = *data;
     scene::Pose pose = data->rig->rest;
     pose[0].weights = {weight};
-    scene::take_pose(*data->rig, scene::posed(*data->rig, pose, ""), *still);
-    const Picture wanted = renderer().render(scene_of(Asset::State::make(still)), s);
+    scene::take_pose(*data->rig, scene::posed(*data->rig, pose, ""), still);
+    const Picture wanted =
+        renderer().render(scene_of(Asset::State::make(scene::measured(std::move(still)))), s);
     const double db = psnr(wanted, found);
     std::printf("weight %.2f: %.1f dB\n", weight, db);
     EXPECT_GE(db, 55);

@@ -14,6 +14,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
 #include "head/scene/rig/rig.h"
+#include "head/scene/surface/measured.h"
 #include "image/compare_flip.h"
 #include "image/metrics.h"
 #include "support/assets.h"
@@ -42,9 +43,9 @@ Scene alone(const Asset& asset, const std::optional<RigPose>& pose = {}) {
 // The asset with its vertices moved by the processor; all that is found of a shape is found of this one.
 Asset moved(const Asset& asset, const RigPose& pose) {
   const scene::AssetData& data = *Asset::State::of(asset);
-  auto still = std::make_shared<scene::AssetData>(data);
-  scene::take_pose(*data.rig, api::posed_asset(data, pose)->rig, *still);
-  return Asset::State::make(still);
+  scene::AssetData still = data;
+  scene::take_pose(*data.rig, api::posed_asset(data, pose)->rig, still);
+  return Asset::State::make(scene::measured(std::move(still)));
 }
 
 double psnr_of_sky(const Picture& a, const Picture& b) { return image::psnr_db(shown(a), shown(b)); }

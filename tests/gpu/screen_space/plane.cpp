@@ -11,6 +11,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "tissue/gaussians/known.h"
 
 namespace dermis::tests {
@@ -63,9 +64,7 @@ const Scene& lit_edge() {
   return plane;
 }
 
-Asset half_plane(bool white) {
-  return Asset::State::make(std::make_shared<const scene::AssetData>(half(white)));
-}
+Asset half_plane(bool white) { return Asset::State::make(scene::measured(half(white))); }
 
 RenderSettings facing_plane(const std::string& technique, double pixels_per_mm, double tilt_deg,
                             double azimuth_deg) {

@@ -17,6 +17,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/rigs.h"
 #include "support/scenes.h"
 
@@ -29,7 +30,7 @@ Asset shaded_skin(float sheet_m) {
   add_sheet(made, 0.04f, sheet_m);
   made.primitives.back().placements = {{.world_from_mesh = glm::dmat4x3(1)}};
   made.rig = morphing(made, [](const glm::vec3& p) { return glm::vec3(p.x, p.y, 0.5f * p.x); });
-  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(made)));
+  return Asset::State::make(scene::measured(std::move(made)));
 }
 
 SceneLight sun(double x, double z, double red = 1) {

@@ -20,6 +20,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "rays/alpha_test.h"
 #include "support/thrown.h"
 
@@ -118,9 +119,7 @@ std::size_t count(std::span<const std::uint32_t> labels, std::uint32_t label) {
   return static_cast<std::size_t>(std::count(labels.begin(), labels.end(), label));
 }
 
-Asset asset_of(scene::AssetData data) {
-  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(data)));
-}
+Asset asset_of(scene::AssetData data) { return Asset::State::make(scene::measured(std::move(data))); }
 
 /// Made once.
 const Asset& head() {

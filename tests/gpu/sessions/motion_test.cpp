@@ -17,6 +17,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/assets.h"
 #include "support/log_lines.h"
 #include "support/rigs.h"
@@ -78,7 +79,7 @@ Asset square_and_sheet() {
   made.primitives.back().placements = {{.world_from_mesh = glm::dmat4x3(1)},
                                        {.world_from_mesh = glm::dmat4x3(1)}};
   made.rig = morphing(made, [](const glm::vec3& p) { return glm::vec3(morphed(p)); });
-  return Asset::State::make(std::make_shared<const scene::AssetData>(std::move(made)));
+  return Asset::State::make(scene::measured(std::move(made)));
 }
 
 class Film {
@@ -203,9 +204,8 @@ TEST(Motion, IsSinceTheFrameBeforeWithThreeInFlight) {
 TEST(Motion, OfWhatWasNotThereIsNone) {
   Film film;
   film.next({});
-  const InstanceId ball = film.scene().add(
-      {.asset = Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.02))),
-       .world_from_asset = moved({0, 0, 0.2})});
+  const InstanceId ball = film.scene().add({.asset = Asset::State::make(scene::measured(scene::sphere(0.02))),
+                                            .world_from_asset = moved({0, 0, 0.2})});
   const Moment now{.eye_m = {0.1, 0, 0.7}};
   const Results l = film.next(now);
   std::size_t of_ball = 0;

@@ -19,6 +19,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/thrown.h"
 
 namespace dermis::tests {
@@ -34,7 +35,7 @@ RenderSettings orbit(RenderSettings settings, double share, double radius_m) {
   return settings;
 }
 
-Asset ball() { return Asset::State::make(std::make_shared<const scene::AssetData>(scene::sphere(0.06))); }
+Asset ball() { return Asset::State::make(scene::measured(scene::sphere(0.06))); }
 
 SceneLight sun(double angle_rad) {
   return {.light = {.colour = {1, 0.9, 0.8}, .direction = {std::cos(angle_rad), -0.5, std::sin(angle_rad)}}};

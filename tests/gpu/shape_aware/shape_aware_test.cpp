@@ -13,6 +13,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "image/metrics.h"
 #include "render/passes/light_map/transmission.h"
 #include "support/files.h"
@@ -224,7 +225,7 @@ TEST(ShapeAware, FollowsTheSizeOfAnInstance) {
   scene::AssetData made = ball(5);
   made.cameras = {camera_from_above(0.010, {0, 0, 0.1f})};
   Scene scene;
-  scene.add({.asset = Asset::State::make(std::make_shared<const scene::AssetData>(made)),
+  scene.add({.asset = Asset::State::make(scene::measured(made)),
              .world_from_asset = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1}});
   const Picture picture = renderer().render(scene, settings(true));
   const std::size_t middle =
@@ -272,8 +273,7 @@ TEST(ShapeAware, FollowsAPose) {
   made.rig = rig;
 
   Scene scene;
-  const InstanceId id =
-      scene.add({.asset = Asset::State::make(std::make_shared<const scene::AssetData>(made))});
+  const InstanceId id = scene.add({.asset = Asset::State::make(scene::measured(made))});
   scene.set_pose(id, RigPose{.weights = {{.name = "0", .weight = 1}}});
   const Picture picture = renderer().render(scene, settings(true));
 

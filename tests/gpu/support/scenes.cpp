@@ -6,12 +6,11 @@
 #include <utility>
 
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 
 namespace dermis::tests {
 
-Scene wrap(scene::AssetData data) {
-  return Scene(Asset::State::make(std::make_shared<const scene::AssetData>(std::move(data))));
-}
+Scene wrap(scene::AssetData data) { return Scene(Asset::State::make(scene::measured(std::move(data)))); }
 
 Scene sphere(double radius_m) { return wrap(scene::sphere(radius_m)); }
 

@@ -86,7 +86,7 @@ class OnTheScan : public WithScan {
     static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(api::only_asset(scan()));
     ASSERT_EQ(meshes.size(), 1u);
     mesh = &meshes.front();
-    sphere = scene::skin_sphere(api::only_asset(scan()));
+    sphere = api::only_asset(scan()).bounds.sphere;
   }
   const scene::SkinMesh* mesh = nullptr;
   scene::BoundingSphere sphere;

@@ -17,6 +17,7 @@
 #include "gpu/transfer.h"
 #include "head/scene/import/load.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "image/colour.h"
 #include "render/passes/asset/gutter_list.h"
 #include "render/passes/shaders.h"
@@ -59,10 +60,10 @@ RenderSettings small(int map_size = 128) {
 /// A plan and its memory, for frames of one head.
 class Frames {
  public:
-  Frames(std::shared_ptr<const scene::AssetData> scene, const RenderSettings& settings)
-      : subject_(setup::examine(std::move(scene))) {
-    setup_ = setup::set_up_alone(subject_, settings);
-    scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *subject_->asset, subject_->skin);
+  Frames(std::shared_ptr<const scene::AssetData> asset, const RenderSettings& settings)
+      : asset_(std::move(asset)) {
+    setup_ = setup::set_up_alone(asset_, settings);
+    scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *asset_, asset_->skin);
     look_ = scene_->make_look(bench()->device, {});
     outputs_ = setup_.technique->build(plan_, setup_.plan);
     executor_ = std::make_unique<frame::Executor<passes::FrameData>>(bench()->library, plan_);
@@ -70,11 +71,10 @@ class Frames {
 
   /// Draws a frame; settings may differ from those of before in what needs no other plan.
   void draw(const RenderSettings& settings) {
-    setup_ = setup::set_up_alone(subject_, settings);
+    setup_ = setup::set_up_alone(asset_, settings);
     for (const techniques::GutterSize& size :
          setup_.technique->gutters(setup_.plan, setup::drawn_heads(setup_)))
-      scene_->make_gutters(bench()->device, size.mesh, subject_->skin[size.mesh], size.side,
-                           size.width_texels);
+      scene_->make_gutters(bench()->device, size.mesh, asset_->skin[size.mesh], size.side, size.width_texels);
     memory_.clear();
     const passes::Instance instance{.asset = scene_.get(), .look = &look_, .sky = {}};
     passes::FrameData data = setup::frame_data(memory_, setup_, outputs_, std::span(&instance, 1), nullptr);
@@ -108,7 +108,7 @@ class Frames {
          setup_.technique->gutters(setup_.plan, setup::drawn_heads(setup_))) {
       if (size.mesh != 0 || size.side != side) continue;
       const passes::GutterList list =
-          passes::gutter_list(subject_->skin[0], static_cast<int>(side), size.width_texels);
+          passes::gutter_list(asset_->skin[0], static_cast<int>(side), size.width_texels);
       for (const scene::GutterTexel& t : list.texels) is_gutter[t.y * side + t.x] = true;
     }
     return is_gutter;
@@ -125,7 +125,7 @@ class Frames {
   bool drew_texel_map() const { return kept_.drawn() > drawn_before_; }
 
  private:
-  setup::SubjectPointer subject_;
+  std::shared_ptr<const scene::AssetData> asset_;
   setup::FrameSetup setup_;
   std::unique_ptr<passes::GpuAsset> scene_;
   passes::GpuLook look_;
@@ -137,21 +137,18 @@ class Frames {
   gpu::FrameMemory memory_{bench()->device, "frame"};
 };
 
-using ScenePointer = std::shared_ptr<const scene::AssetData>;
-
 struct Case {
   const char* name;
-  ScenePointer scene;
+  std::shared_ptr<const scene::AssetData> head;
 };
 
 std::vector<Case> cases() {
-  std::vector<Case> all{{"sphere", std::make_shared<scene::AssetData>(scene::sphere(0.1, 12))},
-                        {"built-in head", std::make_shared<scene::AssetData>(built_in_head())}};
+  std::vector<Case> all{{"sphere", scene::measured(scene::sphere(0.1, 12))},
+                        {"built-in head", scene::measured(built_in_head())}};
   const auto mesh_head = asset_cache() / "makehuman/mh-african-man-young.glb";
   if (missing_asset({mesh_head}).empty())
-    all.push_back({"MakeHuman", std::make_shared<scene::AssetData>(scene::load_gltf(mesh_head))});
-  if (missing_scan().empty())
-    all.push_back({"scan", std::make_shared<scene::AssetData>(scene::load_gltf(scan_manifest()))});
+    all.push_back({"MakeHuman", scene::measured(scene::load_gltf(mesh_head))});
+  if (missing_scan().empty()) all.push_back({"scan", scene::measured(scene::load_gltf(scan_manifest()))});
   return all;
 }
 
@@ -175,10 +172,10 @@ TEST_F(Texels, OfSeenTilesHaveTheBitsOfAllTiles) {
       s.lighting.light_radius_m = translucency ? 0.0 : 0.1;
       s.camera.fov_deg = 12;
       s.quality.clip_margin_mm = 0;
-      Frames all(c.scene, s);
+      Frames all(c.head, s);
       all.draw(s);
       s.quality.cull = s.quality.clip = true;
-      Frames seen(c.scene, s);
+      Frames seen(c.head, s);
       seen.draw(s);
 
       const std::vector<float> whole = all.light(), part = seen.light();
@@ -202,9 +199,9 @@ TEST_F(Texels, OfSeenTilesHaveTheBitsOfAllTiles) {
 }
 
 TEST_F(Texels, HaveEqualBitsFromFrameToFrame) {
-  const auto scene = std::make_shared<scene::AssetData>(built_in_head());
+  const auto head = scene::measured(built_in_head());
   const RenderSettings s = small();
-  Frames one(scene, s), other(scene, s);
+  Frames one(head, s), other(head, s);
   one.draw(s);
   other.draw(s);
   other.draw(s);
@@ -212,7 +209,7 @@ TEST_F(Texels, HaveEqualBitsFromFrameToFrame) {
 }
 
 TEST_F(Texels, LeaveOutWhatIsNotSeen) {
-  const auto scene = std::make_shared<scene::AssetData>(built_in_head());
+  const auto head = scene::measured(built_in_head());
   const auto texels = [&](bool cull, bool clip) {
     RenderSettings s = small(256);
     s.quality.cull = cull;
@@ -220,7 +217,7 @@ TEST_F(Texels, LeaveOutWhatIsNotSeen) {
     s.quality.clip_margin_mm = 0;
     s.camera.fov_deg = 4;
     s.camera.distance = 3;
-    Frames frames(scene, s);
+    Frames frames(head, s);
     frames.draw(s);
     return static_cast<double>(frames.report().irradiance_texels);
   };
@@ -232,13 +229,13 @@ TEST_F(Texels, LeaveOutWhatIsNotSeen) {
 }
 
 TEST_F(Texels, MapIsDrawnAgainOnlyForAnotherSide) {
-  const auto scene = std::make_shared<scene::AssetData>(built_in_head());
+  const auto head = scene::measured(built_in_head());
   RenderSettings s = small();
   s.quality.depth = true;
   s.quality.map_size = 512;
   s.output.width = s.output.height = 192;
   s.camera.distance = 2;
-  Frames frames(scene, s);
+  Frames frames(head, s);
   const auto drew = [&](double distance) {
     s.camera.distance = distance;
     frames.draw(s);

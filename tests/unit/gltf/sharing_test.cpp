@@ -91,7 +91,7 @@ TEST(GltfSharing, TheWorldIsTheSameAsWithoutSharing) {
   const BoundingSphere a = bounding_sphere(shared, all), b = bounding_sphere(distinct, all);
   expect_near(a.centre_m, b.centre_m, 1e-6f);
   EXPECT_NEAR(a.radius_m, b.radius_m, 1e-6);
-  EXPECT_NEAR(skin_sphere(shared).radius_m, skin_sphere(distinct).radius_m, 1e-6);
+  EXPECT_NEAR(skin_bounds(shared).sphere.radius_m, skin_bounds(distinct).sphere.radius_m, 1e-6);
 }
 
 // A mesh that its file keeps a kilometre away from its origin, with nodes that bring it back: floats of that

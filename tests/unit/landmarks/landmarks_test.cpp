@@ -12,6 +12,7 @@
 #include "api/asset_state.h"
 #include "dermis/error.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/assets.h"
 #include "support/files.h"
 #include "support/thrown.h"
@@ -224,8 +225,7 @@ TEST(Landmarks, OfAHiddenInstanceAreNotSeen) {
 TEST(Landmarks, WhatIsNotTheirsIsRefused) {
   const Landmarks marks = Landmarks::of(head()).value();
   Scene scene;
-  const InstanceId id =
-      scene.add({.asset = Asset::State::make(std::make_shared<const scene::AssetData>(scene::plane(0.2)))});
+  const InstanceId id = scene.add({.asset = Asset::State::make(scene::measured(scene::plane(0.2)))});
   EXPECT_NE(thrown<InputError>([&] { marks.positions_m(scene, id); }).find("of another asset"),
             std::string::npos);
   EXPECT_NE(thrown<InputError>([&] { marks.positions_m(scene, InstanceId{99}); }).find("instance 99"),

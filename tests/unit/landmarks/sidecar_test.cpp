@@ -11,6 +11,7 @@
 #include "head/landmarks/known.h"
 #include "head/landmarks/places.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/files.h"
 #include "support/thrown.h"
 
@@ -18,7 +19,7 @@ namespace dermis::tests {
 namespace {
 
 const Asset& square() {
-  static const Asset made = Asset::State::make(std::make_shared<const scene::AssetData>(scene::plane(0.2)));
+  static const Asset made = Asset::State::make(scene::measured(scene::plane(0.2)));
   return made;
 }
 

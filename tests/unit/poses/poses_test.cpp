@@ -15,6 +15,7 @@
 #include "dermis/scene.h"
 #include "head/scene/import/primitives.h"
 #include "head/scene/placement.h"
+#include "head/scene/surface/measured.h"
 #include "support/thrown.h"
 
 namespace dermis::scene::test {
@@ -178,8 +179,7 @@ TEST_F(Character, FaultsAreOneLineAndChangeNothing) {
   EXPECT_ERROR(tests::thrown<InputError>([&] { scene.save(temp_.path() / "scene.json"); }),
                "it has a pose of two clips or of single joints");
   dermis::Scene still;
-  const InstanceId ball =
-      still.add({.asset = Asset::State::make(std::make_shared<const AssetData>(sphere(0.1)))});
+  const InstanceId ball = still.add({.asset = Asset::State::make(measured(sphere(0.1)))});
   EXPECT_ERROR(tests::thrown<InputError>([&] { still.pose(ball, "", 0); }),
                "has no clips, joints or morph weights");
 }

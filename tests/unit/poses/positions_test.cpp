@@ -11,6 +11,7 @@
 #include "dermis/scene.h"
 #include "head/scene/import/primitives.h"
 #include "head/scene/placement.h"
+#include "head/scene/surface/measured.h"
 #include "render/setup/choose.h"
 #include "render/setup/frame_camera.h"
 #include "support/built_in.h"
@@ -34,7 +35,7 @@ glm::dvec2 projected(const ResolvedCamera& camera, const std::array<double, 3>& 
 }
 
 TEST(Positions, OfAPosedInstanceAreThoseOfItsPicture) {
-  const Asset head = Asset::State::make(std::make_shared<const AssetData>(dermis::tests::built_in_head()));
+  const Asset head = Asset::State::make(measured(dermis::tests::built_in_head()));
   ASSERT_FALSE(head.morph_weights().empty());
   dermis::Scene scene;
   const InstanceId id = scene.add({.asset = head, .world_from_asset = turned});
@@ -68,8 +69,7 @@ TEST(Positions, OfAPosedInstanceAreThoseOfItsPicture) {
 
 TEST(Positions, WhatIsNotThereIsRefused) {
   dermis::Scene scene;
-  const InstanceId id =
-      scene.add({.asset = Asset::State::make(std::make_shared<const AssetData>(plane(0.2)))});
+  const InstanceId id = scene.add({.asset = Asset::State::make(measured(plane(0.2)))});
   const std::uint32_t first[] = {0}, beyond[] = {123456};
   EXPECT_EQ(scene.positions_m(id, 0, {}).size(), 0u);
   EXPECT_EQ(scene.positions_m(id, 0, first).size(), 1u);
@@ -109,7 +109,7 @@ void expect_as_drawn(const dermis::Scene& scene, const RenderSettings& settings)
 
 TEST(ResolvedCamera, ProjectsAsThePictureIsDrawn) {
   dermis::Scene scene;
-  scene.add({.asset = Asset::State::make(std::make_shared<const AssetData>(sphere(0.1)))});
+  scene.add({.asset = Asset::State::make(measured(sphere(0.1)))});
   RenderSettings s{.output = {.width = 120, .height = 80}};
   expect_as_drawn(scene, s);
   s.camera.orbit_deg = {30, -10};
@@ -131,7 +131,7 @@ TEST(ResolvedCamera, ProjectsAsThePictureIsDrawn) {
 
 TEST(ResolvedCamera, IsThatOfOpenCv) {
   dermis::Scene scene;
-  scene.add({.asset = Asset::State::make(std::make_shared<const AssetData>(sphere(0.1)))});
+  scene.add({.asset = Asset::State::make(measured(sphere(0.1)))});
   const RenderSettings s{.camera = {.fov_deg = 90, .eye_m = {{0, 0, 2}}, .target_m = {{0, 0, 0}}},
                          .output = {.width = 100, .height = 50}};
   const ResolvedCamera camera = resolved_camera(scene, s);

@@ -9,9 +9,9 @@
 #include "api/rig_pose.h"
 #include "head/scene/framing.h"
 #include "head/scene/import/load.h"
+#include "head/scene/surface/measured.h"
 #include "render/passes/shadow/fit.h"
 #include "render/setup/casters.h"
-#include "render/setup/subject.h"
 #include "support/thrown.h"
 
 namespace dermis::scene::test {
@@ -95,15 +95,14 @@ std::vector<Light> lights_around(const BoundingSphere& sphere) {
 // by whole texels and change their size a few times, hold all vertices, and are hardly larger than need be.
 void expect_steady_texels(const fs::path& file) {
   const Warnings quiet;
-  const auto scene = std::make_shared<const AssetData>(load_gltf(file));
-  const setup::SubjectPointer subject = setup::examine(scene);
-  const std::vector<Light> lights = lights_around(subject->casters);
+  const std::shared_ptr<const AssetData> asset = measured(load_gltf(file));
+  const std::vector<Light> lights = lights_around(asset->casters);
   std::vector<Steady> found(lights.size());
 
   for (int frame = 0; frame < 48; ++frame) {
-    const auto posed = api::posed_asset(*scene, RigPose{.clip = ClipTime{"", frame / 8.0}});
-    const std::vector<glm::vec3> vertices_m = posed_vertices(*scene, *posed);
-    const setup::Casters casters(*subject, posed.get(), {});
+    const auto posed = api::posed_asset(*asset, RigPose{.clip = ClipTime{"", frame / 8.0}});
+    const std::vector<glm::vec3> vertices_m = posed_vertices(*asset, *posed);
+    const setup::Casters casters(*asset, posed.get(), {});
     for (std::size_t i = 0; i < lights.size(); ++i)
       found[i].add(passes::fit_shadow(lights[i], casters.bounds(), map_size), vertices_m);
   }
@@ -115,7 +114,7 @@ void expect_steady_texels(const fs::path& file) {
     least_used = std::min(least_used, of_light.least_used());
   }
   std::printf("%s, 48 frames: at most %zu sizes under a light; vertices fill %.2f of a map or more\n",
-              scene->name.c_str(), sizes, static_cast<double>(least_used));
+              asset->name.c_str(), sizes, static_cast<double>(least_used));
   EXPECT_LE(sizes, 6u);
   // Boxes of what moves are up to 15 % wider than it, sides up to 4.4 % wider than these.
   EXPECT_GE(least_used, 0.77f);
@@ -131,18 +130,17 @@ TEST(ShadowCasters, HoldMovingHeadsInSteadyTexels) {
 TEST(ShadowCasters, HoldWhatWalksAway) {
   DERMIS_NEED_ASSETS(folder);
   const Warnings quiet;
-  const auto scene =
-      std::make_shared<const AssetData>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
-  const setup::SubjectPointer subject = setup::examine(scene);
-  const std::vector<Light> lights = lights_around(subject->casters);
+  const std::shared_ptr<const AssetData> asset =
+      measured(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
+  const std::vector<Light> lights = lights_around(asset->casters);
 
   for (const auto& to_m : {glm::dvec3(0.2, 0, 0), glm::dvec3(-0.1, 0.3, 0.4), glm::dvec3(3, 0, 5)}) {
     const JointTransform away{.name = "root", .translation = {{to_m.x, to_m.y, to_m.z}}};
-    const auto posed = api::posed_asset(*scene, RigPose{.joints = {away}});
-    const std::vector<glm::vec3> vertices_m = posed_vertices(*scene, *posed);
-    ASSERT_GT(glm::distance(vertices_m[0], vertices_of(*scene)[0]), 0.1f);
+    const auto posed = api::posed_asset(*asset, RigPose{.joints = {away}});
+    const std::vector<glm::vec3> vertices_m = posed_vertices(*asset, *posed);
+    ASSERT_GT(glm::distance(vertices_m[0], vertices_of(*asset)[0]), 0.1f);
     for (const Light& light : lights) {
-      const setup::Casters casters(*subject, posed.get(), {});
+      const setup::Casters casters(*asset, posed.get(), {});
       const passes::ShadowFit fit = passes::fit_shadow(light, casters.bounds(), map_size);
       if (fit.shadow_from_world.size() == 1) Steady().add(fit, vertices_m);
     }
@@ -153,13 +151,12 @@ TEST(ShadowCasters, HoldWhatWalksAway) {
 TEST(ShadowCasters, OfARestAreThoseOfTheAsset) {
   DERMIS_NEED_ASSETS(folder);
   const Warnings quiet;
-  const auto scene =
-      std::make_shared<const AssetData>(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
-  const setup::SubjectPointer subject = setup::examine(scene);
-  const setup::Casters rest(*subject, nullptr, {});
-  for (const Light& light : lights_around(subject->casters))
+  const std::shared_ptr<const AssetData> asset =
+      measured(load_gltf(*folder / "makehuman" / "mh-african-man-young.glb"));
+  const setup::Casters rest(*asset, nullptr, {});
+  for (const Light& light : lights_around(asset->casters))
     EXPECT_EQ(passes::fit_shadow(light, rest.bounds(), map_size).texel,
-              passes::fit_shadow(light, {subject->casters, subject->caster_corners_m}, map_size).texel);
+              passes::fit_shadow(light, {asset->casters, asset->caster_corners_m}, map_size).texel);
 }
 
 }  // namespace

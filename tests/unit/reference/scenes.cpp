@@ -27,7 +27,7 @@ scene::AssetData box(double depth_mm, double half_mm) {
 
 reference::Job furnace(const scene::AssetData& scene, int side) {
   reference::Job job;
-  job.setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1);
+  job.setup.camera = scene::framing_camera(scene::skin_bounds(scene).sphere, 1);
   job.setup.width = job.setup.height = side;
   job.setup.ambient = 1;
   job.setup.white_albedo = true;

@@ -21,7 +21,7 @@ namespace {
 
 reference::RenderSetup framed(const scene::AssetData& scene, int side, double azimuth_deg = 0) {
   reference::RenderSetup setup;
-  setup.camera = scene::framing_camera(scene::skin_sphere(scene), 1, azimuth_deg, 0);
+  setup.camera = scene::framing_camera(scene::skin_bounds(scene).sphere, 1, azimuth_deg, 0);
   setup.width = setup.height = side;
   return setup;
 }

@@ -46,7 +46,7 @@ TEST(BoundingSphere, HoldsAllAndTouchesOne) {
 
 TEST(BoundingSphere, Scan) {
   DERMIS_NEED_SCAN(scan);
-  EXPECT_NEAR(skin_sphere(*scan).radius_m, 0.293, 0.0005);
+  EXPECT_NEAR(skin_bounds(*scan).sphere.radius_m, 0.293, 0.0005);
 }
 
 TEST(SkinSphere, LooksOnlyAtSkinIfThereIsAny) {
@@ -56,9 +56,9 @@ TEST(SkinSphere, LooksOnlyAtSkinIfThereIsAny) {
   far_away.material = 1;
   scene.materials.push_back(test::material("cloth", false));
   scene.primitives.push_back(far_away);
-  EXPECT_NEAR(skin_sphere(scene).radius_m, 0.1, 1e-5);
+  EXPECT_NEAR(skin_bounds(scene).sphere.radius_m, 0.1, 1e-5);
   scene.materials[0].skin = false;
-  EXPECT_NEAR(skin_sphere(scene).radius_m, 2.6, 1e-4);
+  EXPECT_NEAR(skin_bounds(scene).sphere.radius_m, 2.6, 1e-4);
 }
 
 TEST(SkinBounds, AreABoxAndTheSphereAboutItsMiddle) {

@@ -2,6 +2,7 @@
 // Sets up a frame of one asset, where it stands, with its own lights.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,19 +11,15 @@
 
 namespace dermis::setup {
 
-inline PlacedAsset placed(const SubjectPointer& subject) {
-  return {.asset = subject->asset,
-          .subject = subject,
-          .sphere = subject->bounds.sphere,
-          .profile = {},
-          .mix = {}};
+inline PlacedAsset placed(const std::shared_ptr<const scene::AssetData>& asset) {
+  return {.asset = asset, .profile = {}, .mix = {}};
 }
 
-inline FrameSetup set_up_alone(const SubjectPointer& subject, const RenderSettings& settings,
+inline FrameSetup set_up_alone(const std::shared_ptr<const scene::AssetData>& asset,
+                               const RenderSettings& settings,
                                const std::optional<std::vector<scene::Light>>& environment_lights = {},
                                const HostSetup* host = nullptr) {
-  PlacedScene scene{
-      .name = subject->asset->name, .instances = {placed(subject)}, .lights = subject->asset->lights};
+  PlacedScene scene{.name = asset->name, .instances = {placed(asset)}, .lights = asset->lights};
   take_profile(scene, settings);
   return set_up(scene, settings, {}, environment_lights, host);
 }

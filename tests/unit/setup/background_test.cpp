@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/setup/background.h"
+#include "head/scene/surface/measured.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ TEST(BackgroundNames, OthersAreRefused) {
 
 // A host's own picture lies behind the heads.
 TEST(BackgroundNames, AHostHasNone) {
-  const SubjectPointer head = examine(std::make_shared<scene::AssetData>(tests::built_in_head()));
+  const std::shared_ptr<const scene::AssetData> head = scene::measured(tests::built_in_head());
   RenderSettings settings;
   settings.output.background = "studio";
   EXPECT_EQ(set_up_alone(head, settings).plan.behind.kind, Kind::studio);

@@ -15,6 +15,7 @@
 #include "dermis/error.h"
 #include "head/scene/framing.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "render/setup/camera_matrices.h"
 #include "render/setup/frame_camera.h"
 #include "support/thrown.h"
@@ -207,14 +208,14 @@ TEST(Matrices, AnOrthographicCameraSeesWhatLiesBeforeIt) {
 
 // Where the camera stands around a head and how far from it are settings of their own.
 TEST(ChosenCamera, OrbitsAtItsDistance) {
-  const SubjectPointer subject = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
+  const std::shared_ptr<const scene::AssetData> ball = scene::measured(scene::sphere(0.1));
   RenderSettings s;
-  const auto eye_m = [&] { return glm::dvec3(set_up_alone(subject, s).frame.camera.eye_m); };
+  const auto eye_m = [&] { return glm::dvec3(set_up_alone(ball, s).frame.camera.eye_m); };
   s.camera.orbit_deg = {70, 20};
   const glm::dvec3 framed_m = eye_m();
   s.camera.distance = 6;
   const glm::dvec3 from_six_radii_m = eye_m();
-  EXPECT_NEAR(glm::length(from_six_radii_m), 6 * subject->bounds.sphere.radius_m, 1e-6);
+  EXPECT_NEAR(glm::length(from_six_radii_m), 6 * ball->bounds.sphere.radius_m, 1e-6);
   EXPECT_NEAR(glm::distance(glm::normalize(from_six_radii_m), glm::normalize(framed_m)), 0, 1e-6);
   s.camera.orbit_deg = {0, 0};
   EXPECT_NEAR(glm::distance(eye_m(), glm::dvec3(0, 0, glm::length(from_six_radii_m))), 0, 1e-6);

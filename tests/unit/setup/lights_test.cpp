@@ -8,6 +8,7 @@
 #include "alone.h"
 #include "dermis/error.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "render/setup/frame_setup.h"
 #include "support/thrown.h"
 
@@ -17,7 +18,7 @@ namespace {
 FrameSetup set_up_under(LightType type) {
   scene::AssetData made = scene::plane(0.1);
   made.lights.push_back({.name = "lamp", .type = type, .position_m = {0, 0, 1}});
-  return set_up_alone(examine(std::make_shared<const scene::AssetData>(std::move(made))), RenderSettings{});
+  return set_up_alone(scene::measured(std::move(made)), RenderSettings{});
 }
 
 TEST(Lights, EachTypeHasItsNumber) {

@@ -13,6 +13,7 @@
 #include "dermis/error.h"
 #include "environment/environment.h"
 #include "environment/sources.h"
+#include "head/scene/surface/measured.h"
 #include "render/setup/environment_light.h"
 #include "render/setup/frame_setup.h"
 #include "support/built_in.h"
@@ -24,7 +25,7 @@ namespace {
 /// A scene and settings, which are then changed one at a time.
 struct Frame {
   std::string name;
-  SubjectPointer subject;
+  std::shared_ptr<const scene::AssetData> asset;
   RenderSettings settings;
 };
 
@@ -40,17 +41,17 @@ constexpr Exception exceptions[] = {
     {"skin.mix", "skin alone", "light must enter all that it falls on, and eyes and teeth are no skin"},
 };
 
-SubjectPointer head() {
-  auto scene = std::make_shared<scene::AssetData>(tests::built_in_head());
-  scene->cameras.push_back({.name = "side"});
-  return examine(std::move(scene));
+std::shared_ptr<const scene::AssetData> head() {
+  scene::AssetData scene = tests::built_in_head();
+  scene.cameras.push_back({.name = "side"});
+  return scene::measured(std::move(scene));
 }
 
-SubjectPointer skin_alone() {
+std::shared_ptr<const scene::AssetData> skin_alone() {
   scene::AssetData scene = tests::built_in_head();
   scene.primitives.resize(1);
   scene.rig = nullptr;
-  return examine(std::make_shared<scene::AssetData>(std::move(scene)));
+  return scene::measured(std::move(scene));
 }
 
 /// A file: a profile that knows its medium.
@@ -67,19 +68,19 @@ const std::string& medium_file() {
 }
 
 std::vector<Frame> frames() {
-  const SubjectPointer subject = head();
-  return {{"the built-in head", subject, {}},
-          {"in screen space", subject, {.technique = "separable"}},
+  const std::shared_ptr<const scene::AssetData> asset = head();
+  return {{"the built-in head", asset, {}},
+          {"in screen space", asset, {.technique = "separable"}},
           {"heads in the studio",
-           subject,
+           asset,
            {.camera = {.heads = 3},
             .lighting = {.environment = "studio"},
             .quality = {.map_size = 256, .map_budget_mb = 12}}},
           {"a camera that looks at a point",
-           subject,
+           asset,
            {.camera = {.eye_m = std::array{0.1, 0.0, 0.8}, .target_m = std::array{0.0, 0.05, 0.0}}}},
           {"skin alone", skin_alone(), {}},
-          {"a profile of a medium", subject, {.skin = {.profile = medium_file()}}}};
+          {"a profile of a medium", asset, {.skin = {.profile = medium_file()}}}};
 }
 
 FrameSetup set_up_frame(const Frame& frame) {
@@ -89,7 +90,7 @@ FrameSetup set_up_frame(const Frame& frame) {
   std::optional<std::vector<scene::Light>> environment_lights;
   if (!frame.settings.lighting.environment.empty())
     environment_lights = setup::environment_lights(studio.sources, frame.settings);
-  return set_up_alone(frame.subject, frame.settings, environment_lights);
+  return set_up_alone(frame.asset, frame.settings, environment_lights);
 }
 
 // Values to try; those that are out of range are left out by who tries them.

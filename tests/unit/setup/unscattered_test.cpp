@@ -8,6 +8,7 @@
 #include "alone.h"
 #include "dermis/error.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/files.h"
 #include "support/thrown.h"
 
@@ -28,7 +29,7 @@ class Unscattered : public testing::Test {
   }
 
   tests::TempFolder folder_;
-  SubjectPointer ball_ = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
+  std::shared_ptr<const scene::AssetData> ball_ = scene::measured(scene::sphere(0.1));
 };
 
 TEST_F(Unscattered, CountsAsAGaussian) {

@@ -9,6 +9,7 @@
 #include "alone.h"
 #include "head/scene/framing.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 
 namespace dermis::setup {
 namespace {
@@ -48,7 +49,7 @@ class View : public testing::Test {
   }
   FrameSetup made_at(const RenderSettings& s) const { return set_up(scene_, s, {}, {}, &host_); }
 
-  SubjectPointer ball_ = examine(std::make_shared<const scene::AssetData>(scene::sphere(0.1)));
+  std::shared_ptr<const scene::AssetData> ball_ = scene::measured(scene::sphere(0.1));
   PlacedScene scene_{.name = "balls", .instances = {}, .lights = {}};
   HostSetup host_;
 };
