@@ -6,6 +6,7 @@
 #   where NAME is the target without "dermis_" and name is the file's name ("blur.comp"), after PREFIX: unique
 #   within the target, whatever folder it lies in. Empty span: no such shader. Headers that a shader includes
 #   are tracked. #include is relative to src/ or to the including file.
+#   A line "// Variant NAME: DEFINE DEFINE=VALUE ..." of a shader compiles it once more, under another name.
 # Not optimised by glslc: -O strips the names that specialisation constants are found by; drivers optimise
 # anyway.
 
@@ -24,26 +25,34 @@ function(dermis_shaders target)
   set(ROWS "")
   foreach(file IN LISTS S_UNPARSED_ARGUMENTS)
     cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE source)
-    cmake_path(GET source FILENAME name)
-    string(PREPEND name "${S_PREFIX}")
-    if(name IN_LIST names)
-      message(FATAL_ERROR "${target} has two shaders named ${name}: shaders are found by name, so rename one")
-    endif()
-    list(APPEND names ${name})
-    set(code ${folder}/${name}.inc)
-    list(APPEND codes ${code})
-    add_custom_command(
-      OUTPUT ${code}
-      COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror
-        -I ${PROJECT_SOURCE_DIR}/src -I ${PROJECT_SOURCE_DIR}/include
-        -MD -MF ${code}.d -MT ${code} -mfmt=num -o ${code} ${source}
-      DEPENDS ${source}
-      DEPFILE ${code}.d
-      COMMENT "Shader ${name}"
-      VERBATIM)
-    string(MAKE_C_IDENTIFIER ${name} symbol)
-    string(APPEND ARRAYS "constexpr std::uint32_t ${symbol}[] = {\n#include \"${name}.inc\"\n};\n")
-    string(APPEND ROWS "    {\"${name}\", ${symbol}},\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+    cmake_path(GET source FILENAME itself)
+    file(STRINGS ${source} variants REGEX "^// Variant ")
+    foreach(variant "// Variant ${itself}:" ${variants})
+      if(NOT variant MATCHES "^// Variant ([a-z0-9_]+[.][a-z]+):(.*)$")
+        message(FATAL_ERROR "${source}: '${variant}' is not '// Variant NAME: DEFINE...'")
+      endif()
+      set(name "${S_PREFIX}${CMAKE_MATCH_1}")
+      string(REGEX REPLACE " +([^ ]+)" ";-D\\1" defines "${CMAKE_MATCH_2}")
+      if(name IN_LIST names)
+        message(FATAL_ERROR "${target} has two shaders named ${name}, and they are found by name: rename one")
+      endif()
+      list(APPEND names ${name})
+      set(code ${folder}/${name}.inc)
+      list(APPEND codes ${code})
+      add_custom_command(
+        OUTPUT ${code}
+        COMMAND ${GLSLC} --target-env=vulkan1.3 -Werror
+          -I ${PROJECT_SOURCE_DIR}/src -I ${PROJECT_SOURCE_DIR}/include ${defines}
+          -MD -MF ${code}.d -MT ${code} -mfmt=num -o ${code} ${source}
+        DEPENDS ${source}
+        DEPFILE ${code}.d
+        COMMENT "Shader ${name}"
+        VERBATIM)
+      string(MAKE_C_IDENTIFIER ${name} symbol)
+      string(APPEND ARRAYS "constexpr std::uint32_t ${symbol}[] = {\n#include \"${name}.inc\"\n};\n")
+      string(APPEND ROWS "    {\"${name}\", ${symbol}},\n")
+    endforeach()
   endforeach()
   set(SPACE ${space})
   file(CONFIGURE OUTPUT ${folder}/find_shader.cpp @ONLY CONTENT [[

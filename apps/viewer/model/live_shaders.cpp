@@ -7,6 +7,8 @@
 #include <fstream>
 #include <set>
 #include <span>
+#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "base/core/error.h"
@@ -28,11 +30,24 @@ bool is_shader(const fs::path& file) {
   return ending == ".comp" || ending == ".vert" || ending == ".frag";
 }
 
-// As the library finds it: the passes of a technique by its folder and their file, others by their file.
-std::string shader_name(const fs::path& file) {
+// Returns the shaders that a file is, by name as the library finds them, each with what it defines: "-DNAME".
+// Those of a technique are found by its folder and their file, others by their file.
+std::map<std::string, std::vector<std::string>> shaders_of(const fs::path& file) {
   const fs::path folder = file.parent_path();
-  const std::string name = file.filename().string();
-  return folder.parent_path().filename() == "techniques" ? folder.filename().string() + "/" + name : name;
+  const bool of_technique = folder.parent_path().filename() == "techniques";
+  const std::string before = of_technique ? folder.filename().string() + "/" : "";
+
+  std::map<std::string, std::vector<std::string>> shaders{{before + file.filename().string(), {}}};
+  constexpr std::string_view variant = "// Variant ";
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(':');
+    if (!line.starts_with(variant) || colon == std::string::npos) continue;
+    std::vector<std::string>& defines = shaders[before + line.substr(variant.size(), colon - variant.size())];
+    std::istringstream words(line.substr(colon + 1));
+    for (std::string word; words >> word;) defines.push_back("-D" + word);
+  }
+  return shaders;
 }
 
 bool may_matter(const fs::path& file) {
@@ -115,22 +130,23 @@ bool ShaderFolder::depends_on(const fs::path& file, const std::vector<fs::path>&
   return false;
 }
 
-void ShaderFolder::compile(const fs::path& shader, const std::atomic<bool>& stop) {
-  const std::string name = shader_name(shader);
+void ShaderFolder::compile(const fs::path& file, const std::string& name,
+                           const std::vector<std::string>& defines, const std::atomic<bool>& stop) {
   const std::string code = output_.path() + "/code.spv", said = output_.path() + "/said.txt";
   const std::span<const std::uint32_t> ours = techniques::find_any_shader(name);
 
   // As cmake/DermisShaders.cmake does.
-  const bool good = run_program(
-      {compiler_, "--target-env=vulkan1.3", "-Werror", "-I", folder_.string(), "-o", code, shader.string()},
-      said, &stop, 5ms);
+  std::vector<std::string> command{
+      compiler_, "--target-env=vulkan1.3", "-Werror", "-I", folder_.string(), "-o", code, file.string()};
+  command.insert(command.end(), defines.begin(), defines.end());
+  const bool good = run_program(command, said, &stop, 5ms);
   if (!good) {
     errors_[name] = shortened(read_text(said), folder_.string());
     return;
   }
   std::vector<std::uint32_t> words = read_words(code);
   try {
-    gpu::check_replacement(shortened(shader.string(), folder_.string()), name, ours, words);
+    gpu::check_replacement(shortened(file.string(), folder_.string()), name, ours, words);
   } catch (const InputError& error) {
     errors_[name] = std::string(error.what()) + "\n";
     return;
@@ -149,12 +165,15 @@ bool ShaderFolder::refresh(const std::atomic<bool>& stop) {
   bool any = false;
   for (const auto& entry : times_) {
     const fs::path& file = entry.first;
-    const std::string name = shader_name(file);
-    if (!is_shader(file) || techniques::find_any_shader(name).empty()) continue;
-    // A faulty shader may be right now, if it waited for a file that was not there.
-    if (!errors_.contains(name) && !depends_on(file, changed)) continue;
-    compile(file, stop);
-    any = true;
+    if (!is_shader(file)) continue;
+    const bool is_changed = depends_on(file, changed);
+    for (const auto& [name, defines] : shaders_of(file)) {
+      if (techniques::find_any_shader(name).empty()) continue;
+      // A faulty shader may be right now, if it waited for a file that was not there.
+      if (!errors_.contains(name) && !is_changed) continue;
+      compile(file, name, defines, stop);
+      any = true;
+    }
   }
   // Shaders of one header belong together: none is used while one is wrong.
   if (errors_.empty() && compiled_ != *shaders_) shaders_ = std::make_shared<const ShaderSet>(compiled_);

@@ -43,7 +43,8 @@ class ShaderFolder {
  private:
   std::vector<std::filesystem::path> changed_files();
   bool depends_on(const std::filesystem::path& file, const std::vector<std::filesystem::path>& changed) const;
-  void compile(const std::filesystem::path& shader, const std::atomic<bool>& stop);
+  void compile(const std::filesystem::path& file, const std::string& name,
+               const std::vector<std::string>& defines, const std::atomic<bool>& stop);
 
   std::filesystem::path folder_;
   std::string compiler_;

@@ -88,11 +88,11 @@ struct Instance {
   std::uint64_t shadow_version = 0;
   /// Images of a host for these layers, null where dermis draws them; empty: it draws all.
   std::vector<HostShadowMap> host_shadows;
-  std::span<const gpu::Buffer> vertices;  ///< moved, one per skin mesh; empty: those of `scene`
+  std::span<const gpu::Buffer> vertices;  ///< moved, one per skin mesh; empty: those of `asset`
   const PosedShape* posed = nullptr;      ///< of an instance that takes poses
   bool moves = false;                     ///< it has moved since the last frame, or this is its first
   std::vector<gpu::BufferBinding>
-      placements;             ///< posed, PlacementIo[], one per page; empty: those of `scene`
+      placements;             ///< posed, PlacementIo[], one per page; empty: those of `asset`
   gpu::BufferBinding before;  ///< LabelsBeforeIo, for labels; else none
   std::vector<gpu::BufferBinding> placements_before;  ///< likewise, as `placements`; empty: those are still
   /// T: the used side of the square of its light maps, texels

@@ -247,7 +247,7 @@ vec3 joining(LitThrough r, int group) {
   return sum;
 }
 
-// Returns sum_i w_i T_i: terms of a group share their mean, as in light maps.
+// Returns sum_i w_i T_i, where no term is read from a map: terms of a group share their mean, as in maps.
 vec3 all_through(LitThrough r) {
   vec3 sum = vec3(0.0), mean = vec3(0.0);
   for (int g = 0; g < TRANSMISSION_GROUPS; ++g) {

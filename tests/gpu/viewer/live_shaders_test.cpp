@@ -64,7 +64,7 @@ TEST_F(EditedShaders, AreCompiledWithWhatIncludesThem) {
   EXPECT_TRUE(shaders_->shaders()->empty()) << "a comment makes another shader";
   EXPECT_FALSE(shaders_->refresh(go_on));
 
-  edit("render/passes/pixels/open_share/open_share.glsl", "void main() {",
+  edit("render/passes/pixels/open_share/open_share.comp", "void main() {",
        "void main() {\n  if (false) return;");
   EXPECT_TRUE(shaders_->refresh(go_on));
   EXPECT_EQ(shaders_->errors(), "");

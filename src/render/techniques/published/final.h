@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Draws an object on the screen: final.glsl. And counts what it reads though it was never lit.
+/// Draws an object on the screen: final.frag. And counts what it reads though it was never lit.
 /// Based on: [DLE07] sec. 3.4; GPU Gems 3, ch. 14.4.6
 #pragma once
 

@@ -5,7 +5,7 @@
 //
 // Departure: [DLE07] (GPU Gems 3, ch. 14.5) reads the blurred maps at the texture coordinates of the lit
 // point. Those maps hold the light of all lights, which each would read again; and the lit point faces away
-// from the eye, where nothing is lit ([JG08] sec. 3). So irradiance.glsl collects T_i where light leaves,
+// from the eye, where nothing is lit ([JG08] sec. 3). So irradiance.frag collects T_i where light leaves,
 // summed over the lights. The convolutions are a chain, narrow to wide, so T_i needs none of its own: the
 // excess of T_i over T_(i-1) joins before the step to term i. Terms form three groups at most, or each would
 // need a map; sum_i w_i T_i stays exact, only widths are shared (render/passes/light_map/transmission.h).

@@ -102,7 +102,9 @@ void Irradiance::prepare(gpu::PipelineLibrary& library) {
   const std::size_t groups = settings.through.empty() ? 0 : in.joining.size() + 1;
   gpu::Constants constants{{"environment", settings.environment ? 1u : 0u}};
   if (groups > 0) constants.emplace_back("stores_entered", in.entered.valid() ? 1u : 0u);
-  lit_.prepare(library, fmt::format("irradiance_{}.comp", groups), settings, in.texels, constants);
+  const std::string shader =
+      groups > 0 ? fmt::format("irradiance_through_{}.comp", groups) : "irradiance.comp";
+  lit_.prepare(library, shader, settings, in.texels, constants);
 }
 
 void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {

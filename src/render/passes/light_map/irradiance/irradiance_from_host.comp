@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One texel of the head's light, as irradiance.glsl, from irradiance that a host has drawn there. Alpha 0:
+// One texel of the head's light, as irradiance.comp, from irradiance that a host has drawn there. Alpha 0:
 // it has not.
 #version 460
 #define COMPUTE_SHADING

@@ -68,18 +68,18 @@ void Labels::prepare(gpu::PipelineLibrary& library) {
   for (const bool skin : {false, true})
     for (const bool double_sided : {false, true})
       for (const bool cut_out : {false, true})
-        pipelines_[skin][double_sided][cut_out] =
-            &library.graphics({.vertex = "labels.vert",
-                               .fragment = fmt::format("labels_{}.frag", targets()),
-                               .constants = {{"skin", skin ? 1u : 0u},
-                                             {"cut_out", cut_out ? 1u : 0u},
-                                             {"labels", settings.labels},
-                                             {"body", needs_body(settings.labels) ? 1u : 0u}},
-                               .colour_formats = std::vector<VkFormat>(targets(), words_format),
-                               .depth_format = depth_format,
-                               .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
-                               .depth_test = true,
-                               .depth_write = true});
+        pipelines_[skin][double_sided][cut_out] = &library.graphics(
+            {.vertex = "labels.vert",
+             .fragment = targets() > 1 ? fmt::format("labels_{}.frag", targets()) : "labels.frag",
+             .constants = {{"skin", skin ? 1u : 0u},
+                           {"cut_out", cut_out ? 1u : 0u},
+                           {"labels", settings.labels},
+                           {"body", needs_body(settings.labels) ? 1u : 0u}},
+             .colour_formats = std::vector<VkFormat>(targets(), words_format),
+             .depth_format = depth_format,
+             .cull = double_sided ? gpu::Cull::none : gpu::Cull::back,
+             .depth_test = true,
+             .depth_write = true});
 }
 
 void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The entries that a dispatch shades: those of one part in a band, an invocation for each. The shaders that
-// shade them begin with this and end with shade_point.glsl. THROUGH: with transmitted light.
+// The entries that a dispatch shades: those of one part in a band, an invocation for each. Below, where their
+// skin lies on its light map. The shaders that shade them begin with this and end with shade_point.glsl.
+// THROUGH: with transmitted light.
 #define COMPUTE_SHADING
 #include "render/passes/pixels/shade/shade_io.h"
 #include "render/shared/scene_io.h"

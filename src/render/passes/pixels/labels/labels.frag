@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: MIT
 // TARGETS: how many targets there are, 1 to 4.
+// Variant labels_2.frag: TARGETS=2
+// Variant labels_3.frag: TARGETS=3
+// Variant labels_4.frag: TARGETS=4
+#version 460
+#ifndef TARGETS
+#define TARGETS 1
+#endif
 #include "render/shared/scene_io.h"
 #include "render/passes/pixels/labels/labels_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };

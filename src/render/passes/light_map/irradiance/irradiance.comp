@@ -3,6 +3,13 @@
 // GROUPS: of the profile's terms that transmitted light joins, each with a target
 // (render/passes/light_map/transmission.h); 0: no transmitted light. Alpha is the number of the chart;
 // BORDER_ALPHA where the alpha test cuts the skin away. Texels that are not written stay unlit.
+// Variant irradiance_through_1.comp: GROUPS=1
+// Variant irradiance_through_2.comp: GROUPS=2
+// Variant irradiance_through_3.comp: GROUPS=3
+#version 460
+#ifndef GROUPS
+#define GROUPS 0
+#endif
 #define COMPUTE_SHADING
 #include "render/shared/scene_io.h"
 #include "render/shaders/half.glsl"

@@ -1,3 +1,0 @@
-// SPDX-License-Identifier: MIT
-#version 460
-#include "render/passes/pixels/compose_entries/compose_entries.glsl"
