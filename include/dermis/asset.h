@@ -91,7 +91,7 @@ class Asset {
   std::vector<std::string> joints() const;
   std::vector<std::string> morph_weights() const;
   std::vector<Light> lights() const;  ///< those of the file, in the asset's own coordinates
-  AssetBounds bounds() const;         ///< reads all vertices
+  AssetBounds bounds() const;
 
   /// Compares identity, not contents.
   bool operator==(const Asset& other) const { return state_ == other.state_; }

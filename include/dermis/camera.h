@@ -22,8 +22,8 @@ struct ResolvedCamera {
   std::array<double, 3> t_m{};
 };
 
-/// Returns the camera of a picture with these settings. Reads all vertices of the scene where it is framed.
-/// Needs no device. Throws InputError: no camera of that name, a setting out of range.
+/// Returns the camera of a picture with these settings. Needs no device. Throws InputError: no camera of that
+/// name, a setting out of range.
 ResolvedCamera resolved_camera(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace dermis

@@ -11,6 +11,7 @@
 #include "base/core/error.h"
 #include "base/core/hooks.h"
 #include "base/settings/check.h"
+#include "head/scene/import/complete.h"
 #include "head/scene/import/from_arrays.h"
 #include "head/scene/surface/measured.h"
 #include "render/setup/preparation.h"
@@ -34,9 +35,12 @@ bool changes_pigments(const SceneOptions& options) {
          options.haemoglobin_factor != 1;
 }
 
-std::shared_ptr<const scene::AssetData> with_pigments(scene::AssetData&& scene, const SceneOptions& options) {
-  if (changes_pigments(options)) setup::preparation("other pigments").repaint(scene, options);
-  return scene::measured(std::move(scene));
+std::shared_ptr<const scene::AssetData> finished(scene::AssetData&& asset, const SceneOptions& options) {
+  const std::string name = asset.name;
+  return scene::with_errors_of_import(name, [&] {
+    if (changes_pigments(options)) setup::preparation("other pigments").repaint(asset, options);
+    return scene::measured(std::move(asset));
+  });
 }
 
 }  // namespace api
@@ -51,7 +55,7 @@ Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options,
   if (!options.clip.empty() || options.time_s)
     throw input_error("", "clip and time_s must be empty for arrays");
   const scene::LoadOptions load = api::load_options(options);
-  return State::make(api::with_pigments(scene::scene_from_arrays(arrays, load), options));
+  return State::make(api::finished(scene::scene_from_arrays(arrays, load), options));
 }
 
 const std::string& Asset::name() const { return state_->data->name; }

@@ -15,7 +15,8 @@ scene::LoadOptions load_options(const SceneOptions& options);
 
 /// Returns whether the skin is to have other pigments than its colour map says.
 bool changes_pigments(const SceneOptions& options);
-/// Gives it these pigments. Throws InputError: see pigments::repaint().
-std::shared_ptr<const scene::AssetData> with_pigments(scene::AssetData&& scene, const SceneOptions& options);
+/// Returns what has been imported with the pigments of the options, measured. Throws InputError: see
+/// pigments::repaint(); too little memory.
+std::shared_ptr<const scene::AssetData> finished(scene::AssetData&& asset, const SceneOptions& options = {});
 
 }  // namespace dermis::api

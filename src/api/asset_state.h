@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/core/assert.h"
 #include "dermis/asset.h"
 #include "head/scene/asset_data.h"
 
@@ -23,7 +24,9 @@ struct Asset::State {
   std::shared_ptr<const scene::AssetData> data;
   std::optional<Source> source;  ///< none: made in memory
 
+  /// `data`: measured, unless it has no primitives.
   static Asset make(std::shared_ptr<const scene::AssetData> data, std::optional<Source> source = {}) {
+    DERMIS_ASSERT(data->primitives.empty() || !data->caster_corners_m.empty());
     return Asset(std::make_shared<const State>(State{std::move(data), std::move(source)}));
   }
   /// Null for an asset that was moved away.

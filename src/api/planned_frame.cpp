@@ -59,6 +59,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
 
   SceneOnDevice next_scene(renderer_->assets_of(scene));
   Input input{.placed = placed_scene(scene), .environment_lights = {}, .host = host};
+  setup::check_seen(input.placed);
   setup::take_profile(input.placed, settings);
   const std::shared_ptr<const setup::EnvironmentLight> next_environment =
       options_.picture ? renderer_->environment_light(scene, settings) : nullptr;

@@ -10,8 +10,10 @@
 #include "api/renderer_state.h"
 #include "api/scene_state.h"
 #include "api/shader_scope.h"
+#include "base/core/warnings.h"
 #include "base/settings/names.h"
 #include "dermis/vulkan.h"
+#include "head/scene/surface/coverage.h"
 #include "render/setup/choose.h"
 #include "render/setup/frame_setup.h"
 #include "render/techniques/shaders.h"
@@ -54,10 +56,12 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
     return !asset;
   });
 
+  const WarningGroup group;
   for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
     const std::shared_ptr<const scene::AssetData> data = Asset::State::of(placed.instance.asset);
     api::AssetPointer& asset = known[data];
     if (!asset) {
+      for (const scene::SkinMesh& mesh : data->skin) scene::warn_overlap(mesh);
       asset =
           std::make_shared<api::SharedAsset>(api::SharedAsset{.data = data, .source = placed.instance.asset});
       live_assets.push_back(asset);
@@ -123,12 +127,13 @@ std::vector<std::string> tone_map_names() { return {names_of<ToneMap>.begin(), n
 std::string describe_plan(const Scene& scene, const RenderSettings& settings, bool dot, const Hooks& hooks) {
   const HookScope scope(hooks);
   setup::check_settings(settings);
+  setup::PlacedScene placed = api::placed_scene(scene);
+  setup::check_seen(placed);
   std::optional<std::vector<scene::Light>> environment_lights;
   if (const auto source = setup::choose_environment(settings, scene.environment()))
     environment_lights = setup::environment_lights(
         environment::split_sources(setup::read_environment(*source)).sources, settings);
 
-  setup::PlacedScene placed = api::placed_scene(scene);
   setup::take_profile(placed, settings);
   const setup::FrameSetup setup = setup::set_up(placed, settings, {}, environment_lights, nullptr, false);
   passes::FramePlan plan;

@@ -16,7 +16,6 @@
 #include "base/core/file.h"
 #include "base/core/hooks.h"
 #include "environment/environment.h"
-#include "head/scene/framing.h"
 #include "head/scene/views.h"
 #include "tissue/gaussians/scatter_profile.h"
 

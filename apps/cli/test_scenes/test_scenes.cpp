@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <utility>
 
 #include "api/asset_state.h"
+#include "base/core/cache.h"
 #include "base/core/error.h"
+#include "base/core/hooks.h"
 #include "base/core/known_names.h"
 #include "cli/test_scenes/shapes.h"
+#include "head/builtin_head/builtin_head.h"
 #include "head/scene/framing.h"
 #include "head/scene/surface/measured.h"
 
@@ -45,7 +47,10 @@ scene::Light sun(double azimuth_deg, double elevation_deg, double irradiance = p
 Asset asset_of(scene::AssetData made) { return Asset::State::make(scene::measured(std::move(made))); }
 
 /// The built-in head without a name of a file: what follows changes it.
-scene::AssetData head(const Hooks& hooks) { return *Asset::State::of(Asset::built_in(hooks)); }
+scene::AssetData head(const Hooks& hooks) {
+  const HookScope scope(hooks);
+  return builtin_head::make({.cache = cache::default_folder()});
+}
 
 scene::AssetData tilted(double tilt_deg) {
   scene::AssetData made = lit_half_plane(LitHalf::below_x, 0);

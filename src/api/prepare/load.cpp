@@ -16,7 +16,6 @@
 #include "dermis/scene.h"
 #include "head/builtin_head/builtin_head.h"
 #include "head/scene/import/load.h"
-#include "head/scene/surface/measured.h"
 
 namespace dermis {
 namespace {
@@ -44,20 +43,20 @@ Asset Asset::load(const std::filesystem::path& path, const SceneOptions& options
     if (skin != "medium") made.name = name;
     const bool changed = api::changes_pigments(options);
     return State::make(
-        api::with_pigments(std::move(made), options),
+        api::finished(std::move(made), options),
         changed ? std::nullopt : std::optional(State::Source{.file = {}, .options = {}, .skin = skin}));
   }
   if (api::open_scene_file(path))
     throw input_error(path.string(), "is a scene file, and an asset is glTF; give a scene file alone");
 
-  return State::make(api::with_pigments(scene::load_gltf(path, load), options),
+  return State::make(api::finished(scene::load_gltf(path, load), options),
                      State::Source{.file = std::filesystem::absolute(path), .options = options});
 }
 
 Asset Asset::built_in(const Hooks& hooks) {
   const HookScope scope(hooks);
   scene::AssetData made = builtin_head::make({.cache = cache::default_folder()});
-  return State::make(scene::measured(std::move(made)), State::Source{});
+  return State::make(api::finished(std::move(made)), State::Source{});
 }
 
 Scene Scene::load(const std::filesystem::path& path, const SceneOptions& options, const Hooks& hooks) {

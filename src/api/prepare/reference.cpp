@@ -91,14 +91,13 @@ void warn_if_open(const scene::AssetData& scene, const std::vector<scene::SkinMe
 }
 
 // Steps of the work before the first sample.
-constexpr std::size_t tracer_steps = 4, set_up_steps = 4 + tracer_steps;
+constexpr std::size_t tracer_steps = 4, set_up_steps = 3 + tracer_steps;
 
 // `scene`: that of `placed`, flattened.
 reference::Job set_up(const setup::PlacedScene& placed, const scene::AssetData& scene,
                       const std::optional<SceneEnvironment>& of_scene, const RenderSettings& s,
                       const ReferenceSettings& r, Steps& steps) {
-  const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
-  steps.done();
+  const std::vector<scene::SkinMesh>& skin = scene.skin;
 
   reference::Job job;
   job.model = r.model;

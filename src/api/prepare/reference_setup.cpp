@@ -19,9 +19,8 @@ reference::RenderSetup reference_setup(const setup::PlacedScene& scene, const Re
                       "output.width x output.height, {}x{}, has more than {} pixels, too many for the sums "
                       "of the reference",
                       s.output.width, s.output.height, 1 << 26);
+  setup::check_seen(scene);
   const setup::HeadSpheres spheres = setup::head_spheres(scene, s);
-  if (!(spheres.middle.radius_m > 0))
-    throw input_error(scene.name, "has nothing to see: all its triangles lie at one point");
   reference::RenderSetup setup;
   setup.camera = setup::choose_camera(scene, s, spheres);
   setup.width = s.output.width, setup.height = s.output.height;

@@ -178,7 +178,7 @@ struct AssetData {
   /// world metres to mm; unit_scale multiplies positions at load, so this stays 1000
   double mm_per_unit = 1000;
 
-  // Import ends with measured() of surface/measured.h, which fills these.
+  // measured() of surface/measured.h fills these. Of a copy whose vertices were moved they are old.
   std::vector<SkinMesh> skin;               ///< skin_meshes()
   Bounds bounds;                            ///< skin_bounds()
   BoundingSphere casters;                   ///< of everything: hair cards and collars cast shadows too

@@ -94,7 +94,7 @@ struct SkinMesh {
   glm::dvec2 unwrap_scale{1}, unwrap_offset{0};
   /// changes of fit_unwrap() to the raw coordinates; empty: none
   std::string unwrap_note;
-  UnwrapDensity density;  ///< of AssetData::skin
+  UnwrapDensity density;  ///< filled by measured()
 };
 
 }  // namespace dermis::scene

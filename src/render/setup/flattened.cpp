@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "head/scene/import/material_source.h"
+#include "head/scene/surface/unwrap.h"
 #include "render/setup/placed_scene.h"
 
 namespace dermis::setup {
@@ -78,7 +79,9 @@ std::shared_ptr<const scene::AssetData> flattened(const PlacedScene& scene) {
 
     scene::AssetData moved;
     if (instance.posed) {
-      moved = asset;
+      moved.primitives = asset.primitives;
+      moved.cameras = asset.cameras;
+      moved.lights = asset.lights;
       scene::take_pose(*asset.rig, instance.posed->rig, moved);
     }
     for (scene::Primitive primitive : instance.posed ? moved.primitives : asset.primitives) {
@@ -91,6 +94,7 @@ std::shared_ptr<const scene::AssetData> flattened(const PlacedScene& scene) {
     }
     first_node += greatest_node(asset) + 1;
   }
+  flat->skin = scene::skin_meshes(*flat);
   return flat;
 }
 

@@ -375,8 +375,7 @@ FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const Devic
                   const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host,
                   bool every_view) {
   for (const PlacedAsset& instance : scene.instances)
-    if (!(instance.asset->bounds.sphere.radius_m > 0))
-      throw input_error(instance.asset->name, "has nothing to see: all its triangles lie at one point");
+    DERMIS_ASSERT(instance.asset->bounds.sphere.radius_m > 0);
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
   setup.heads = placed_heads(scene, s);

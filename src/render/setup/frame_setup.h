@@ -87,13 +87,13 @@ struct HostSetup {
 };
 
 /// Decides what a frame needs. Reads no file: take_profile() of choose.h has. `settings` have passed
-/// check_settings(): who calls this checks them before reading surroundings. `environment_lights`:
-/// besides those that the settings choose; none: there is no environment, light from everywhere is
-/// uniform. Throws InputError: no instance, or a row of several; nothing to see of an asset; see
-/// choose_camera(); or a map budget that does not hold one head. With a `host`, the frame is for its
-/// targets: the plan does not depend on the size of the picture, and the matrices of the camera are the
-/// host's, depth included. With `every_view` the plan serves every camera; else this one, and takes no
-/// more memory for light and shadow maps than its heads use.
+/// check_settings(), and the scene check_seen(): who calls this checks them before reading surroundings.
+/// `environment_lights`: besides those that the settings choose; none: there is no environment, light
+/// from everywhere is uniform. Throws InputError: no instance, or a row of several; see choose_camera();
+/// or a map budget that does not hold one head. With a `host`, the frame is for its targets: the plan
+/// does not depend on the size of the picture, and the matrices of the camera are the host's, depth
+/// included. With `every_view` the plan serves every camera; else this one, and takes no more memory for
+/// light and shadow maps than its heads use.
 FrameSetup set_up(const PlacedScene& scene, const RenderSettings& settings, const DeviceTraits& device = {},
                   const std::optional<std::vector<scene::Light>>& environment_lights = {},
                   const HostSetup* host = nullptr, bool every_view = true);

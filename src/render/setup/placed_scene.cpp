@@ -86,6 +86,12 @@ std::optional<Similarity> similarity_of(const std::array<double, 16>& m) {
                     .origin_m = glm::vec3(column(3))};
 }
 
+void check_seen(const PlacedScene& scene) {
+  for (const PlacedAsset& instance : scene.instances)
+    if (!(instance.asset->bounds.sphere.radius_m > 0))
+      throw input_error(instance.asset->name, "has nothing to see: all its triangles lie at one point");
+}
+
 HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   require_instances(scene);
   HeadSpheres spheres;

@@ -61,6 +61,9 @@ struct PlacedScene {
   std::vector<scene::Light> lights;  ///< in the world
 };
 
+/// Throws InputError: an asset with nothing to see.
+void check_seen(const PlacedScene& scene);
+
 /// Spheres around the skin of the heads, by which cameras and rigs are placed.
 struct HeadSpheres {
   scene::BoundingSphere middle;  ///< about the middle of the heads, as large as the largest of them

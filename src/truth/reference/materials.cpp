@@ -22,7 +22,6 @@ std::vector<ShadingMaterial> shading_materials(const scene::AssetData& scene, st
     return made;
   };
 
-  const std::vector<scene::SkinMesh> skin = scene::skin_meshes(scene);
   std::vector<ShadingMaterial> materials;
   Steps steps("reading materials", scene.materials.size());
   for (const scene::Material& m : scene.materials) {
@@ -45,7 +44,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::AssetData& scene, st
       if (m.skin_settings.roughness.present()) made.roughness = slot(m.skin_settings.roughness, false);
     }
 
-    if (auto normals = scene::fine_normals(scene, materials.size(), skin)) {
+    if (auto normals = scene::fine_normals(scene, materials.size(), scene.skin)) {
       made.normal = {.map = m.skin_settings.displacement,
                      .pixels = std::make_shared<const MapPixels>(std::move(*normals), false)};
       made.normal.map.scale = 1;

@@ -40,7 +40,7 @@ struct Seen {
 /// Chart of the unwrap for each triangle of each primitive, distinct between heads. skin_meshes() joins the
 /// primitives of a key in order.
 std::vector<std::vector<std::uint32_t>> charts_of(const scene::AssetData& scene) {
-  const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(scene);
+  const std::vector<scene::SkinMesh>& meshes = scene.skin;
   std::map<scene::SkinMeshKey, std::pair<std::size_t, std::size_t>> next;  // mesh, triangle
   for (std::size_t i = 0; i < meshes.size(); ++i) next[meshes[i].key] = {i, 0};
   std::vector<std::vector<std::uint32_t>> charts(scene.primitives.size());

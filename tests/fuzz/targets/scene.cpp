@@ -3,15 +3,17 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "api/rig_pose.h"
 #include "head/scene/framing.h"
 #include "head/scene/import/load.h"
+#include "head/scene/surface/coverage.h"
 #include "head/scene/surface/fine_normals.h"
 #include "head/scene/surface/gutters.h"
-#include "head/scene/surface/unwrap.h"
+#include "head/scene/surface/measured.h"
 #include "support.h"
 
 namespace dermis::fuzz {
@@ -82,17 +84,17 @@ void check_skin(const SkinMesh& mesh) {
 /// What a renderer does with a scene before it draws, with maps so small that it takes no time.
 void prepare(const AssetData& scene) {
   constexpr int side = 32, gutter_texels = 4;
-  const std::vector<SkinMesh> skin = skin_meshes(scene);
+  const std::shared_ptr<const AssetData> asset = measured(scene);
+  const std::vector<SkinMesh>& skin = asset->skin;
 
   for (const SkinMesh& mesh : skin) {
     check_skin(mesh);
-    unwrap_density(mesh, scene.mm_per_unit);
+    warn_overlap(mesh);
     for (const GutterTexel& texel : build_gutters(mesh, side, gutter_texels))
       DERMIS_ASSERT(texel.x < side && texel.y < side && texel.source_x >= 0 && texel.source_x <= side &&
                     texel.source_y >= 0 && texel.source_y <= side);
   }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) fine_normals(scene, i, skin);
-  skin_bounds(scene);
 }
 
 void check_inside(const Bounds& bounds, const glm::vec3& position_m) {

@@ -2,7 +2,6 @@
 #include "gpu/support/scenes.h"
 #include "api/asset_state.h"
 
-#include <memory>
 #include <utility>
 
 #include "head/scene/import/primitives.h"

@@ -83,7 +83,7 @@ class OnTheScan : public WithScan {
   void SetUp() override {
     WithScan::SetUp();
     if (IsSkipped()) return;
-    static const std::vector<scene::SkinMesh> meshes = scene::skin_meshes(api::only_asset(scan()));
+    const std::vector<scene::SkinMesh>& meshes = api::only_asset(scan()).skin;
     ASSERT_EQ(meshes.size(), 1u);
     mesh = &meshes.front();
     sphere = api::only_asset(scan()).bounds.sphere;

@@ -12,6 +12,7 @@
 #include "dermis/pose.h"
 #include "dermis/scene.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "support/thrown.h"
 
 namespace dermis::scene::test {
@@ -341,11 +342,11 @@ TEST(HostilePoses, AreOneLineAndChangeNothing) {
 
 // A file that is too large to be posed is loaded in its pose, and says why it cannot be posed.
 TEST(HostilePoses, OfWhatKeepsNoRigSayWhy) {
-  auto large = std::make_shared<AssetData>(sphere(0.1));
-  large->name = "large.glb";
-  large->clips = {"talk"};
-  large->why_no_rig = "more than 5000000 vertices";
-  const Asset asset = Asset::State::make(large);
+  AssetData large = sphere(0.1);
+  large.name = "large.glb";
+  large.clips = {"talk"};
+  large.why_no_rig = "more than 5000000 vertices";
+  const Asset asset = Asset::State::make(measured(std::move(large)));
   dermis::Scene scene;
   const InstanceId id = scene.add({.asset = asset});
   expect_one_line(

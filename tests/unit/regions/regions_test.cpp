@@ -9,6 +9,7 @@
 
 #include "head/scene/framing.h"
 #include "head/scene/import/primitives.h"
+#include "head/scene/surface/measured.h"
 #include "head/scene/surface/unwrap.h"
 #include "support/built_in.h"
 #include "truth/reference/camera_ray.h"
@@ -45,7 +46,7 @@ void for_each_point(const rays::RayScene& rays, const reference::RenderSetup& se
 }
 
 TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
-  const scene::AssetData ball = scene::sphere(0.1, 64);
+  const scene::AssetData ball = *scene::measured(scene::sphere(0.1, 64));
   const rays::RayScene rays(ball);
   reference::RenderSetup setup = framed(ball, 96);
   setup.lights = {from({1, 0, 0})};
@@ -65,7 +66,8 @@ TEST(Regions, ABallHasATerminatorAndNeitherNoseNorEars) {
 }
 
 TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
-  const scene::AssetData ball = scene::sphere(0.1, 32);  // six charts, cut where two coordinates are equal
+  // Six charts, cut where two coordinates are equal.
+  const scene::AssetData ball = *scene::measured(scene::sphere(0.1, 32));
   const rays::RayScene rays(ball);
   const reference::RenderSetup setup = framed(ball, 128);
   const std::vector<Region> all = find(rays, setup);
@@ -85,6 +87,7 @@ TEST(Regions, SeamsAreWhereTheUnwrapIsCut) {
 TEST(Regions, ShadowEdgesReachFiveMillimetres) {
   scene::AssetData scene = scene::plane(0.12);
   tests::add_sheet(scene, 0.2f, 0.05f);
+  scene = *scene::measured(scene);
 
   const rays::RayScene rays(scene);
   reference::RenderSetup setup;
@@ -103,7 +106,7 @@ TEST(Regions, ShadowEdgesReachFiveMillimetres) {
 
 TEST(Regions, ThicknessOfABox) {
   for (const double depth_mm : {3.0, 12.0}) {
-    const scene::AssetData box = tests::box(depth_mm, 100);
+    const scene::AssetData box = *scene::measured(tests::box(depth_mm, 100));
     const rays::RayScene rays(box);
     const auto hit = rays.nearest_skin({.origin_m = {0.001, 0.002, 1}, .direction = {0, 0, -1}});
     ASSERT_TRUE(hit);
@@ -113,8 +116,10 @@ TEST(Regions, ThicknessOfABox) {
   reference::RenderSetup setup;
   setup.camera = tests::camera_from_above(0.05, {0, 0, 0.5f});
   setup.width = setup.height = 16;
-  EXPECT_EQ(named(find(rays::RayScene(tests::box(5, 100)), setup), "thin parts").pixels, 256u);
-  EXPECT_EQ(named(find(rays::RayScene(tests::box(50, 100)), setup), "thin parts").pixels, 0u);
+  EXPECT_EQ(named(find(rays::RayScene(*scene::measured(tests::box(5, 100))), setup), "thin parts").pixels,
+            256u);
+  EXPECT_EQ(named(find(rays::RayScene(*scene::measured(tests::box(50, 100))), setup), "thin parts").pixels,
+            0u);
 }
 
 // Two boxes side by side with a slit of 2 mm between them: a fold is where one sees the other.
@@ -129,12 +134,15 @@ TEST(Regions, ASlitIsAFold) {
   ASSERT_TRUE(inside && top);
   EXPECT_NEAR(1000 * gap_m(rays, rays::surface_point(scene, *inside)), 2.3, 0.2);
   EXPECT_GT(gap_m(rays, rays::surface_point(scene, *top)), 1);
-  EXPECT_EQ(named(find(rays::RayScene(tests::box(50, 100)), framed(tests::box(50, 100), 16)), "folds").pixels,
-            0u);
+  EXPECT_EQ(
+      named(find(rays::RayScene(*scene::measured(tests::box(50, 100))), framed(tests::box(50, 100), 16)),
+            "folds")
+          .pixels,
+      0u);
 }
 
 TEST(Regions, OfTheBuiltInHead) {
-  const scene::AssetData& head = tests::built_in_head();
+  const scene::AssetData head = *scene::measured(tests::built_in_head());
   const rays::RayScene rays(head);
 
   const std::optional<HeadFrame> frame = HeadFrame::find(rays);

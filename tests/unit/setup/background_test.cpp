@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/setup/background.h"
-#include "head/scene/surface/measured.h"
 
 #include <gtest/gtest.h>
 
 #include "alone.h"
 #include "dermis/error.h"
+#include "head/scene/surface/measured.h"
 #include "render/setup/frame_setup.h"
 #include "support/built_in.h"
 

@@ -2,7 +2,6 @@
 // Lights of a scene as shaders get them.
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
 
 #include "alone.h"

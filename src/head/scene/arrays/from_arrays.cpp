@@ -166,7 +166,7 @@ AssetData make(const AssetArrays& given, const LoadOptions& options) {
 }  // namespace
 
 AssetData scene_from_arrays(const AssetArrays& arrays, const LoadOptions& options) {
-  return load_with_one_line_errors(name_of(arrays), [&] { return make(arrays, options); });
+  return with_errors_of_import(name_of(arrays), [&] { return make(arrays, options); });
 }
 
 }  // namespace dermis::scene

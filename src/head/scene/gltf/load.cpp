@@ -100,7 +100,7 @@ AssetData load(const std::filesystem::path& path, const LoadOptions& options) {
 }  // namespace
 
 AssetData load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
-  return load_with_one_line_errors(path.string(), [&] {
+  return with_errors_of_import(path.string(), [&] {
     try {
       return load(path, options);
     } catch (const std::filesystem::filesystem_error& error) {

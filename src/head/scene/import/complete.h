@@ -30,7 +30,7 @@ void warn_of_size(const std::string& file, const AssetData& scene);
 /// Returns what load() returns. Groups its warnings, and keeps each error one line, whatever text of the file
 /// it quotes; what takes more memory than there is becomes an InputError.
 template <class Load>
-AssetData load_with_one_line_errors(const std::string& file, const Load& load) {
+auto with_errors_of_import(const std::string& file, const Load& load) {
   const auto too_large = [&] { return input_error(file, "needs more memory than there is"); };
   const WarningGroup group;
   try {

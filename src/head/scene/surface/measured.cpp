@@ -4,20 +4,16 @@
 #include <utility>
 
 #include "base/core/hooks.h"
-#include "base/core/warnings.h"
 #include "head/scene/framing.h"
-#include "head/scene/surface/coverage.h"
 #include "head/scene/surface/enclosure.h"
 #include "head/scene/surface/unwrap.h"
 
 namespace dermis::scene {
 
 std::shared_ptr<const AssetData> measured(AssetData asset) {
-  const WarningGroup group;
   asset.skin = skin_meshes(asset);
   Steps steps("measuring the unwrap", asset.skin.size());
   for (SkinMesh& mesh : asset.skin) {
-    warn_overlap(mesh);
     mesh.density = unwrap_density(mesh, asset.mm_per_unit);
     steps.done();
   }

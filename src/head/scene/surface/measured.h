@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The end of every import.
+/// What frames need of an asset, whatever their settings.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace dermis::scene {
 
-/// Returns the asset with what frames need of it, whatever their settings: its skin as meshes with an unwrap,
-/// bounds, densities. Warns of unwraps that overlap.
+/// Returns the asset with its skin as meshes with an unwrap, their densities, and bounds. Each import of the
+/// api ends with this.
 std::shared_ptr<const AssetData> measured(AssetData asset);
 
 }  // namespace dermis::scene
