@@ -107,7 +107,7 @@ passes::DrawIrradiance HostFrames::State::irradiance_drawer(const gpu::BufferBin
       [this, records_at](gpu::Cmd& cmd, const gpu::Texture& map, std::span<const passes::UsedSquare> used) {
         std::vector<IrradianceSquare> squares;
         for (const passes::UsedSquare& square : used) {
-          const setup::Head& head = frame.setup().heads[square.instance];
+          const setup::Head& head = frame.setup().heads[square.head];
           const std::uint32_t mesh = square.mesh - frame.setup().plan.models[head.model].first_mesh;
           squares.push_back({.instance = ids[head.instance],
                              .skin_mesh = mesh,

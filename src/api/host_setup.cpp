@@ -20,7 +20,8 @@ std::size_t number_of(const std::vector<InstanceId>& ids, InstanceId id, const c
   return static_cast<std::size_t>(found - ids.begin());
 }
 
-setup::HostMap host_map(const Scene& scene, const std::vector<InstanceId>& ids, const MaterialImage& image) {
+setup::HostMapOfInstance host_map(const Scene& scene, const std::vector<InstanceId>& ids,
+                                  const MaterialImage& image) {
   const std::size_t instance = number_of(ids, image.instance, "images");
   api::check_handle("images.view", image.view != VK_NULL_HANDLE);
   const std::vector<scene::Material>& materials =

@@ -16,7 +16,7 @@ void Motion::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, cons
 
   for (std::size_t h = 0; h < setup.heads.size(); ++h) {
     const setup::Head& head = setup.heads[h];
-    const setup::PlacedAsset& now = placed.instances[head.instance];
+    const setup::PlacedInstance& now = placed.instances[head.instance];
     const std::pair key(ids[head.instance], row ? head.number : 0);
     const Stood stands{
         .asset = now.asset, .instance = setup::instance_io(head.world_from_asset), .posed = now.posed};

@@ -107,7 +107,7 @@ void PosedInstances::keep(gpu::PipelineLibrary& library, const SceneOnDevice& sc
   std::map<InstanceId, std::shared_ptr<Posed>> kept;
   std::vector<Current> instances(placed.instances.size());
   for (std::size_t i = 0; i < placed.instances.size(); ++i) {
-    const setup::PlacedAsset& instance = placed.instances[i];
+    const setup::PlacedInstance& instance = placed.instances[i];
     if (!instance.posed) continue;
     const auto before = posed_.find(ids[i]);
     const bool known = before != posed_.end() && before->second->asset == scene.asset(i) &&

@@ -55,7 +55,7 @@ std::vector<KeptVertex> kept_vertices(const scene::AssetData& asset, int mesh,
 
 std::vector<std::array<double, 3>> Scene::positions_m(InstanceId id, int mesh,
                                                       std::span<const std::uint32_t> vertices) const {
-  const auto instance = std::ranges::find(state_->instances, id, &State::PlacedInstance::id);
+  const auto instance = std::ranges::find(state_->instances, id, &State::Entry::id);
   if (instance == state_->instances.end())
     throw input_error("", "no instance {} in this scene", static_cast<std::uint32_t>(id));
   const scene::AssetData& asset = *Asset::State::of(instance->instance.asset);

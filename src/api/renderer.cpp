@@ -57,7 +57,7 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
   });
 
   const WarningGroup group;
-  for (const Scene::State::PlacedInstance& placed : scene.state().instances) {
+  for (const Scene::State::Entry& placed : scene.state().instances) {
     const std::shared_ptr<const scene::AssetData> data = Asset::State::of(placed.instance.asset);
     api::AssetPointer& asset = known[data];
     if (!asset) {

@@ -141,17 +141,16 @@ InstanceId Scene::add(const Instance& instance) {
   if (!Asset::State::of(instance.asset)) throw input_error("", "an instance has no asset: it was moved away");
   check_mix(instance.mix);
   check_tint(instance.tint);
-  State::PlacedInstance placed{
-      .id = InstanceId{state_->next_id},
-      .instance = instance,
-      .placed = {.asset = {},
-                 .world_from_asset = checked_transform(instance.world_from_asset),
-                 .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
-                 .visible = instance.visible,
-                 .profile = checked_profile(instance.profile),
-                 .mix = float_of(instance.mix),
-                 .tint = glm::vec3(api::vector_of(instance.tint))},
-      .changes = {.pose = next_change(), .material = next_change(), .rig = next_change()}};
+  State::Entry placed{.id = InstanceId{state_->next_id},
+                      .instance = instance,
+                      .placed = {.asset = {},
+                                 .world_from_asset = checked_transform(instance.world_from_asset),
+                                 .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
+                                 .visible = instance.visible,
+                                 .profile = checked_profile(instance.profile),
+                                 .mix = float_of(instance.mix),
+                                 .tint = glm::vec3(api::vector_of(instance.tint))},
+                      .changes = {.pose = next_change(), .material = next_change(), .rig = next_change()}};
 
   ++state_->next_id;
   state_->instances.push_back(std::move(placed));
@@ -172,7 +171,7 @@ void Scene::remove(InstanceId id) {
 
 std::vector<InstanceId> Scene::instances() const {
   std::vector<InstanceId> ids;
-  for (const State::PlacedInstance& placed : state_->instances) ids.push_back(placed.id);
+  for (const State::Entry& placed : state_->instances) ids.push_back(placed.id);
   return ids;
 }
 
@@ -181,7 +180,7 @@ const Instance& Scene::instance(InstanceId id) const {
 }
 
 void Scene::set_transform(InstanceId id, const std::array<double, 16>& world_from_asset) {
-  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  State::Entry& placed = *find(state_->instances, id, "instance");
   placed.placed.world_from_asset = checked_transform(world_from_asset);
   placed.instance.world_from_asset = world_from_asset;
   placed.changes.pose = next_change();
@@ -192,20 +191,20 @@ void Scene::set_transform(InstanceId id, const std::array<double, 16>& world_fro
 }
 
 void Scene::set_visible(InstanceId id, bool visible) {
-  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  State::Entry& placed = *find(state_->instances, id, "instance");
   placed.instance.visible = placed.placed.visible = visible;
   placed.changes.pose = next_change();
 }
 
 void Scene::set_profile(InstanceId id, const std::optional<ScatterProfile>& profile) {
-  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  State::Entry& placed = *find(state_->instances, id, "instance");
   placed.placed.profile = checked_profile(profile);
   placed.instance.profile = profile;
   placed.changes.material = next_change();
 }
 
 void Scene::set_mix(InstanceId id, std::optional<double> mix) {
-  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  State::Entry& placed = *find(state_->instances, id, "instance");
   check_mix(mix);
   placed.instance.mix = mix;
   placed.placed.mix = float_of(mix);
@@ -213,7 +212,7 @@ void Scene::set_mix(InstanceId id, std::optional<double> mix) {
 }
 
 void Scene::set_tint(InstanceId id, const std::array<double, 3>& tint) {
-  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  State::Entry& placed = *find(state_->instances, id, "instance");
   check_tint(tint);
   placed.instance.tint = tint;
   placed.placed.tint = glm::vec3(api::vector_of(tint));
@@ -221,7 +220,7 @@ void Scene::set_tint(InstanceId id, const std::array<double, 3>& tint) {
 }
 
 void Scene::set_pose(InstanceId id, const std::optional<RigPose>& pose) {
-  State::PlacedInstance& placed = *find(state_->instances, id, "instance");
+  State::Entry& placed = *find(state_->instances, id, "instance");
   placed.placed.posed = api::posed_asset(*Asset::State::of(placed.instance.asset), pose);
   placed.instance.pose = pose;
   placed.changes.rig = next_change();
@@ -335,8 +334,8 @@ scene::Light placed_light(const Light& light, const setup::Similarity& world_fro
 setup::PlacedScene placed_scene(const Scene& scene) {
   const Scene::State& state = scene.state();
   setup::PlacedScene placed{.name = scene.name(), .instances = {}, .lights = {}};
-  for (const Scene::State::PlacedInstance& from : state.instances) {
-    setup::PlacedAsset& to = placed.instances.emplace_back(from.placed);
+  for (const Scene::State::Entry& from : state.instances) {
+    setup::PlacedInstance& to = placed.instances.emplace_back(from.placed);
     to.asset = Asset::State::of(from.instance.asset);
     to.posed_change = from.changes.rig;
   }

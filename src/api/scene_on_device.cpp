@@ -188,8 +188,9 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
 void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& scene,
                                const RenderSettings& settings, const SceneOnDevice& before,
                                const setup::HostSetup* host) {
-  const std::span<const setup::HostMap> maps =
-      host ? std::span<const setup::HostMap>(host->maps) : std::span<const setup::HostMap>();
+  const std::span<const setup::HostMapOfInstance> maps =
+      host ? std::span<const setup::HostMapOfInstance>(host->maps)
+           : std::span<const setup::HostMapOfInstance>();
   SharedBy<SharedLook, LookKey> known;
   for (const auto& look : before.looks_)
     if (look) known.add(key_of(look->asset, look->settings), look);
@@ -197,7 +198,7 @@ void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& sc
   for (std::size_t i = 0; i < assets_.size(); ++i) {
     passes::LookSettings wanted{.mix = scene.instances[i].mix, .tint = scene.instances[i].tint, .maps = {}};
     if (settings.skin.mix) wanted.mix = static_cast<float>(*settings.skin.mix);
-    for (const setup::HostMap& map : maps)
+    for (const setup::HostMapOfInstance& map : maps)
       if (map.instance == i) wanted.maps.push_back(map.map);
     const auto matches = [&](const SharedLook& look) {
       return look.asset == assets_[i] && look.settings == wanted;

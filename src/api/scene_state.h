@@ -14,10 +14,10 @@
 namespace dermis {
 
 struct Scene::State {
-  struct PlacedInstance {
+  struct Entry {
     InstanceId id{};
     Instance instance;
-    setup::PlacedAsset placed;  ///< the same, checked and converted; without asset
+    setup::PlacedInstance placed;  ///< the same, checked and converted; without asset
     InstanceChanges changes;
   };
   /// Of a light of a file: the instance whose poses move it, and its number in the asset.
@@ -32,7 +32,7 @@ struct Scene::State {
   };
 
   std::string name;  ///< empty: that of the asset
-  std::vector<PlacedInstance> instances;
+  std::vector<Entry> instances;
   std::vector<PlacedLight> lights;
   std::optional<SceneEnvironment> environment;
   std::uint64_t light_changes = 0, environment_changes = 0;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/tangents.h"
 
 namespace dermis::cli::test_scenes {

@@ -118,7 +118,7 @@ class Comparer {
 /// The same scene, its skin with one Gaussian.
 Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
   Scene::State state = scene.state();
-  for (Scene::State::PlacedInstance& placed : state.instances) {
+  for (Scene::State::Entry& placed : state.instances) {
     // Profiles change nothing of what is measured.
     auto copy = std::make_shared<scene::AssetData>(*Asset::State::of(placed.instance.asset));
     for (scene::Material& material : copy->materials)

@@ -115,7 +115,7 @@ std::span<const LandmarkPlace, Landmarks::count> Landmarks::places() const { ret
 
 std::vector<std::array<double, 3>> Landmarks::positions_m(const Scene& scene, InstanceId id) const {
   const auto& instances = scene.state().instances;
-  const auto instance = std::ranges::find(instances, id, &Scene::State::PlacedInstance::id);
+  const auto instance = std::ranges::find(instances, id, &Scene::State::Entry::id);
   if (instance == instances.end())
     throw input_error("", "no instance {} in this scene", static_cast<std::uint32_t>(id));
   if (Asset::State::of(instance->instance.asset) != state_->asset)

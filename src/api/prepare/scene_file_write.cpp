@@ -70,7 +70,7 @@ class Writer {
   }
 
   ordered_json json_of_instance(std::size_t number) {
-    const Scene::State::PlacedInstance& placed = state_.instances[number];
+    const Scene::State::Entry& placed = state_.instances[number];
     const Instance& instance = placed.instance;
     ordered_json json{{"asset", asset_name(number)}};
     json.update(json_of(instance));

@@ -115,7 +115,7 @@ glm::dmat4 matrix_of(const std::array<double, 16>& values) {
   return matrix;
 }
 
-glm::dmat4 clip_from_world(const CameraMatrices& matrices) {
+glm::dmat4 upright_clip_from_world(const CameraMatrices& matrices) {
   glm::dmat4 clip = matrix_of(matrices.clip_from_camera);
   if (clip[1][1] < 0)
     for (int column = 0; column < 4; ++column) clip[column][1] = -clip[column][1];
@@ -123,7 +123,7 @@ glm::dmat4 clip_from_world(const CameraMatrices& matrices) {
 }
 
 glm::mat4 picture_from_world(const CameraMatrices& matrices, const scene::Camera& camera) {
-  glm::dmat4 out = clip_from_world(matrices);
+  glm::dmat4 out = upright_clip_from_world(matrices);
   const glm::dmat4 camera_from_world = upright(matrices).camera_from_world;
   const double near_m = double{camera.znear_m};
   for (int column = 0; column < 4; ++column) {

@@ -19,10 +19,10 @@ bool is_reversed(const CameraMatrices& matrices);
 glm::dmat4 matrix_of(const std::array<double, 16>& values);
 
 /// Returns clip_from_camera * camera_from_world as the host has it, but for clip y, which grows upwards.
-glm::dmat4 clip_from_world(const CameraMatrices& matrices);
+glm::dmat4 upright_clip_from_world(const CameraMatrices& matrices);
 
-/// Returns clip_from_world() with depth as pictures of our own have it: reversed, without a far plane where
-/// it is a perspective. x, y and w are the host's to the bit. camera: camera_of() of the matrices.
+/// Returns upright_clip_from_world() with depth as pictures of our own have it: reversed, without a far plane
+/// where it is a perspective. x, y and w are the host's to the bit. camera: camera_of() of the matrices.
 glm::mat4 picture_from_world(const CameraMatrices& matrices, const scene::Camera& camera);
 
 }  // namespace dermis::setup

@@ -83,7 +83,7 @@ void take_profile(PlacedScene& scene, const RenderSettings& s) {
   if (s.skin.profile.empty()) return;
   const ScatterProfile profile =
       gaussians::from_name_or_file(s.skin.profile, false, gaussians::LeastVariance::zero);
-  for (PlacedAsset& instance : scene.instances) instance.profile = profile;
+  for (PlacedInstance& instance : scene.instances) instance.profile = profile;
 }
 
 ScatterProfile choose_profile(const scene::Material& material,

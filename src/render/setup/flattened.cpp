@@ -8,7 +8,7 @@
 namespace dermis::setup {
 namespace {
 
-bool is_as_its_asset(const PlacedAsset& instance) {
+bool is_as_its_asset(const PlacedInstance& instance) {
   return instance.visible && instance.world_from_asset.is_identity() && !instance.profile && !instance.mix &&
          !instance.posed && instance.tint == glm::vec3(1);
 }
@@ -19,7 +19,7 @@ void offset_images(scene::Material& material, int first) {
   });
 }
 
-scene::Material dressed(scene::Material material, const PlacedAsset& instance) {
+scene::Material dressed(scene::Material material, const PlacedInstance& instance) {
   if (!material.skin) return material;
   if (instance.profile) material.skin_settings.profile = instance.profile;
   if (instance.mix) material.skin_settings.mix = instance.mix;
@@ -66,7 +66,7 @@ std::shared_ptr<const scene::AssetData> flattened(const PlacedScene& scene) {
   auto flat = std::make_shared<scene::AssetData>();
   flat->name = scene.name;
   int first_node = 0;
-  for (const PlacedAsset& instance : scene.instances) {
+  for (const PlacedInstance& instance : scene.instances) {
     if (!instance.visible) continue;
     const scene::AssetData& asset = *instance.asset;
     const auto first_image = static_cast<int>(flat->images.size());

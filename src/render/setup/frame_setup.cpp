@@ -91,14 +91,14 @@ std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s
                                    .shadow_side = 0});
   };
   if (s.camera.heads == 1) {
-    for (const PlacedAsset& instance : scene.instances) add(instance.world_from_asset, heads.size());
+    for (const PlacedInstance& instance : scene.instances) add(instance.world_from_asset, heads.size());
     return heads;
   }
 
   if (scene.instances.size() > 1)
     throw input_error("", "camera.heads must be 1 for a scene of {} instances, got {}",
                       scene.instances.size(), s.camera.heads);
-  const PlacedAsset& one = scene.instances.front();
+  const PlacedInstance& one = scene.instances.front();
   const float radius_m = one.world_from_asset.sphere(one.asset->bounds.sphere).radius_m;
   for (const glm::vec3& offset : scene::head_row_offsets(s.camera.heads, radius_m))
     add(one.world_from_asset, 0).world_from_asset.origin_m += offset;
@@ -137,14 +137,14 @@ void set_up_camera(FrameSetup& setup, const PlacedScene& scene, const RenderSett
   io::CameraIo& seen_by = setup.frame.camera;
   seen_by = frame_camera(camera, static_cast<double>(s.output.width) / s.output.height);
   if (s.camera.matrices)
-    seen_by.clip_from_world = host ? glm::mat4(clip_from_world(*s.camera.matrices))
+    seen_by.clip_from_world = host ? glm::mat4(upright_clip_from_world(*s.camera.matrices))
                                    : picture_from_world(*s.camera.matrices, camera);
   setup.frame.picture_size = glm::uvec2(s.output.width, s.output.height);
   setup.d_ref = reference_distance(*scene.instances.front().asset, s, camera);
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
   for (Head& head : setup.heads) {
-    const PlacedAsset& instance = scene.instances[head.instance];
+    const PlacedInstance& instance = scene.instances[head.instance];
     const scene::AssetData& asset = *instance.asset;
     const PosedAsset* posed = instance.posed.get();
     head.middle_m = head.world_from_asset.position((posed ? posed->skin : asset.bounds).sphere.centre_m);
@@ -202,7 +202,7 @@ void place_shadows(std::vector<Head>& heads, const techniques::FrameSettings& pl
 
 // Whether light enters whole wherever it falls on something: skin whose whole albedo acts after scattering.
 // Blended surfaces cast no shadow.
-bool all_enters(const PlacedAsset& instance, const RenderSettings& s) {
+bool all_enters(const PlacedInstance& instance, const RenderSettings& s) {
   const scene::AssetData& asset = *instance.asset;
   return std::all_of(asset.primitives.begin(), asset.primitives.end(), [&](const scene::Primitive& p) {
     const scene::Material& material = asset.materials[static_cast<std::size_t>(p.material)];
@@ -225,7 +225,7 @@ int gaussians_of(const techniques::PlannedMesh& part) {
 void check_host_maps(const FrameSetup& setup, const PlacedScene& scene) {
   const techniques::FrameSettings& plan = setup.plan;
   if (!plan.host || !(plan.host_lights() || plan.host->scattered)) return;
-  for (const PlacedAsset& instance : scene.instances)
+  for (const PlacedInstance& instance : scene.instances)
     for (const scene::SkinMesh& mesh : instance.asset->skin)
       if (mesh.layers > 1)
         throw input_error(instance.asset->name,
@@ -306,7 +306,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
     plan.translucency =
         s.skin.translucency && !plan.skin.empty() && !setup.lights.empty() && !plan.host_lights();
     plan.all_enters = std::all_of(scene.instances.begin(), scene.instances.end(),
-                                  [&](const PlacedAsset& instance) { return all_enters(instance, s); });
+                                  [&](const PlacedInstance& instance) { return all_enters(instance, s); });
   }
 
   if (setup.technique->screen_space) {
@@ -374,7 +374,7 @@ std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
 FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const DeviceTraits& device,
                   const std::optional<std::vector<scene::Light>>& environment_lights, const HostSetup* host,
                   bool every_view) {
-  for (const PlacedAsset& instance : scene.instances)
+  for (const PlacedInstance& instance : scene.instances)
     DERMIS_ASSERT(instance.asset->bounds.sphere.radius_m > 0);
   FrameSetup setup;
   setup.technique = &techniques::find_technique(s.technique);
@@ -395,7 +395,7 @@ FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const Devic
           std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) == host->not_drawn.end();
   }
   setup.plan.poses = std::any_of(scene.instances.begin(), scene.instances.end(),
-                                 [](const PlacedAsset& instance) { return instance.posed != nullptr; });
+                                 [](const PlacedInstance& instance) { return instance.posed != nullptr; });
   setup.plan.environment = environment_lights.has_value();
   set_up_plan(setup, scene, s, device, every_view);
   if (host) setup.plan.samples = host->samples;

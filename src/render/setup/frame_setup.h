@@ -71,7 +71,7 @@ struct HostShadow {
 };
 
 /// An image of a host in place of a map of an instance.
-struct HostMap {
+struct HostMapOfInstance {
   std::size_t instance = 0;
   passes::HostMap map;
 };
@@ -82,7 +82,7 @@ struct HostSetup {
   std::uint32_t samples = 1;           ///< of its targets
   std::vector<std::size_t> not_drawn;  ///< instances that are lit, but drawn by the host
   std::vector<std::size_t> deformed;   ///< instances whose vertices the host moves
-  std::vector<HostMap> maps;
+  std::vector<HostMapOfInstance> maps;
   std::vector<HostShadow> shadows;
 };
 

@@ -47,7 +47,6 @@ techniques::MapDetail finest_of(const FrameSetup& setup, std::uint32_t number, s
 // Has maps hold what shows, and no more.
 void hold_what_shows(FrameSetup& setup, std::uint32_t limit, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
-  plan.stretch_side = std::min(limit, most_stretch_side);
   plan.map_size = 0;
 
   for (std::uint32_t number = 0; number < plan.models.size(); ++number) {
@@ -88,7 +87,7 @@ void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSet
     // The plan of a host must serve every view: it has no close-ups.
     if (plan.host && plan.mixes())
       detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
-    detail.side = model.meshes > 0 ? plan.map_size_of(plan.skin[model.first_mesh]) : plan.map_size;
+    detail.side = model.meshes > 0 ? plan.skin[model.first_mesh].map_size : plan.map_size;
     if (plan.mixes())
       detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, detail.side);
     else if (const scene::AssetData& asset = *scene.instances[head.instance].asset;
@@ -98,9 +97,14 @@ void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSet
 }
 
 void set_up_map_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s, bool every_view) {
-  const std::uint32_t limit = setup.plan.map_size = static_cast<std::uint32_t>(s.quality.map_size);
+  techniques::FrameSettings& plan = setup.plan;
+  const auto limit = static_cast<std::uint32_t>(s.quality.map_size);
+  plan.map_size = limit;
+  plan.stretch_side = plan.mixes() ? std::min(limit, most_stretch_side) : limit;
+  for (techniques::PlannedMesh& part : plan.skin) part.map_size = limit;
+
   set_head_sides(setup, scene, s);
-  if (!setup.plan.skin.empty() && setup.plan.mixes()) hold_what_shows(setup, limit, every_view);
+  if (!plan.skin.empty() && plan.mixes()) hold_what_shows(setup, limit, every_view);
 }
 
 }  // namespace dermis::setup

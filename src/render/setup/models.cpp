@@ -137,7 +137,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, const RenderSett
   std::uint32_t unwraps = 0;
 
   for (Head& head : setup.heads) {
-    const PlacedAsset& instance = scene.instances[head.instance];
+    const PlacedInstance& instance = scene.instances[head.instance];
     const ModelKey key{.asset = instance.asset.get(),
                        .scale = head.world_from_asset.scale,
                        .profile = instance.profile,

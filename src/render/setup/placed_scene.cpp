@@ -87,7 +87,7 @@ std::optional<Similarity> similarity_of(const std::array<double, 16>& m) {
 }
 
 void check_seen(const PlacedScene& scene) {
-  for (const PlacedAsset& instance : scene.instances)
+  for (const PlacedInstance& instance : scene.instances)
     if (!(instance.asset->bounds.sphere.radius_m > 0))
       throw input_error(instance.asset->name, "has nothing to see: all its triangles lie at one point");
 }
@@ -95,7 +95,7 @@ void check_seen(const PlacedScene& scene) {
 HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   require_instances(scene);
   HeadSpheres spheres;
-  const PlacedAsset& first = scene.instances.front();
+  const PlacedInstance& first = scene.instances.front();
   if (scene.instances.size() == 1) {
     spheres.middle = first.world_from_asset.sphere(first.asset->bounds.sphere);
     spheres.lit = spheres.middle;
@@ -105,9 +105,9 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
   }
 
   const bool any_visible = std::any_of(scene.instances.begin(), scene.instances.end(),
-                                       [](const PlacedAsset& instance) { return instance.visible; });
+                                       [](const PlacedInstance& instance) { return instance.visible; });
   glm::vec3 low(INFINITY), high(-INFINITY);
-  for (const PlacedAsset& instance : scene.instances) {
+  for (const PlacedInstance& instance : scene.instances) {
     if (!instance.visible && any_visible) continue;
     const scene::BoundingSphere sphere = instance.world_from_asset.sphere(instance.asset->bounds.sphere);
     low = glm::min(low, sphere.centre_m - sphere.radius_m);
@@ -133,7 +133,7 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& s) {
 
 std::vector<scene::Camera> placed_cameras(const PlacedScene& scene) {
   std::vector<scene::Camera> cameras;
-  for (const PlacedAsset& instance : scene.instances)
+  for (const PlacedInstance& instance : scene.instances)
     for (std::size_t i = 0; i < instance.asset->cameras.size(); ++i) {
       scene::Camera camera = instance.asset->cameras[i];
       if (instance.posed) scene::stand_at(instance.posed->rig.cameras.at(i), camera);

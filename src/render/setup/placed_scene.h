@@ -43,7 +43,7 @@ struct PosedAsset {
   std::vector<glm::vec3> corners_m;  ///< their convex hull does so more tightly
 };
 
-struct PlacedAsset {
+struct PlacedInstance {
   std::shared_ptr<const scene::AssetData> asset;
   Similarity world_from_asset;
   std::shared_ptr<const PosedAsset> posed;  ///< null: as the asset was loaded
@@ -57,7 +57,7 @@ struct PlacedAsset {
 
 struct PlacedScene {
   std::string name;  ///< for messages
-  std::vector<PlacedAsset> instances;
+  std::vector<PlacedInstance> instances;
   std::vector<scene::Light> lights;  ///< in the world
 };
 

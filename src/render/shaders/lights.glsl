@@ -5,7 +5,7 @@
 layout(binding = 5) uniform utextureBuffer Lamps;  // of all heads, see LampsIo
 
 LightIo light_at(uint number) {
-  const int first = of_head.lamps.lights + 5 * int(number);
+  const int first = of_head.lamps.lights + LIGHT_TEXELS * int(number);
   const uvec4 a = texelFetch(Lamps, first), b = texelFetch(Lamps, first + 1),
               c = texelFetch(Lamps, first + 2), d = texelFetch(Lamps, first + 3),
               e = texelFetch(Lamps, first + 4);

@@ -76,6 +76,7 @@ struct MaterialIo {
 #define LIGHT_SPOT 1u
 #define LIGHT_POINT 2u
 
+#define LIGHT_TEXELS 5  // of 16 bytes, as light_at() of lights.glsl reads them
 struct LightIo {
   vec3 colour;  // intensity included: irradiance facing the light is colour (directional) or colour / d^2
   uint type;
@@ -140,7 +141,7 @@ static_assert(sizeof(dermis::io::VertexIo) == 12 * 4);
 static_assert(sizeof(dermis::io::VertexExtraIo) == 8 * 4);
 static_assert(sizeof(dermis::io::SkinVertexIo) == 8 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
-static_assert(sizeof(dermis::io::LightIo) == 20 * 4);
+static_assert(sizeof(dermis::io::LightIo) == 16 * LIGHT_TEXELS);
 static_assert(sizeof(dermis::io::InstanceIo) == 13 * 4);
 #endif
 #endif

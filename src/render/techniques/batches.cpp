@@ -25,7 +25,7 @@ std::vector<MapSquare> squares_of(const FrameSettings& settings, const Batch& ba
   for (std::uint32_t head = batch.first_head; head < batch.first_head + batch.heads; ++head) {
     const Model& model = settings.model_of(head);
     for (std::uint32_t mesh = first_mesh; mesh < std::min(end_mesh, model.meshes); ++mesh)
-      all.push_back({.instance = head, .mesh = model.first_mesh + mesh});
+      all.push_back({.head = head, .mesh = model.first_mesh + mesh});
   }
 
   std::ranges::stable_sort(all, {}, &MapSquare::mesh);

@@ -29,9 +29,8 @@ struct PlannedMesh {
   /// all light does, `profile` has one Gaussian without weight.
   gaussians::Rgb unscattered{};
 
-  /// Of maps by need, T_max of its heads: less than that of the plan where others need more; 0: that of the
-  /// plan.
-  std::uint32_t map_size = 0;
+  /// T_max of its heads: less than that of the plan where others need more.
+  std::uint32_t map_size = 2048;
   /// The terms of `profile` that light maps may hold, all from this one on; the others are lit at the pixel.
   std::uint32_t first_mapped = 0;
   /// Some head is so far away that pixels read the light before any blur in place of the terms before
@@ -115,13 +114,13 @@ struct FrameSettings {
   std::uint32_t samples = 4;                 ///< per pixel, 1 or 4
   std::uint32_t light_samples = 2;           ///< of a pixel that one surface covers, 1 or 2
   std::uint32_t map_size = 2048;             ///< T_max, texels per side
-  std::uint32_t stretch_side = 0;            ///< of the maps of the metric, texels; 0: T_max
+  std::uint32_t stretch_side = 1024;         ///< of the maps of the metric, texels
   std::uint32_t shadow_size = 1024;          ///< texels per side
   std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
 
   /// The model of each head, in the order in which they are drawn.
   std::vector<std::uint32_t> heads{0};
-  std::uint32_t square_side = 0;  ///< of the pool of light maps: no head uses more texels; 0: T_max
+  std::uint32_t square_side = 2048;  ///< of the pool of light maps: no head uses more texels
   /// Heads that are lit and blurred together. The pool has a square for each skin mesh of each of them.
   std::uint32_t heads_per_batch = 1;
   /// Skin meshes of a head that are lit and blurred together, 0 = all. If not all, heads_per_batch is 1.
@@ -180,11 +179,7 @@ struct FrameSettings {
     return part.max_texels_per_mm(side) / (mixes() ? 1.5 : 1);
   }
   double chain_texels_per_mm(const PlannedMesh& part) const {
-    return chain_texels_per_mm(part, map_size_of(part));
-  }
-  /// Returns T_max of the heads that have this mesh.
-  std::uint32_t map_size_of(const PlannedMesh& part) const {
-    return part.map_size > 0 ? part.map_size : map_size;
+    return chain_texels_per_mm(part, part.map_size);
   }
   bool has_skin() const { return parts() > 0; }
   passes::PictureFormat picture_format() const {

@@ -106,8 +106,8 @@ frame::TextureId Screen::colour() {
 }
 
 std::uint32_t Screen::first_part(const passes::MapSquare& square) const {
-  std::uint32_t part = first_part_[square.instance];
-  for (std::uint32_t mesh = settings_.model_of(square.instance).first_mesh; mesh < square.mesh; ++mesh)
+  std::uint32_t part = first_part_[square.head];
+  for (std::uint32_t mesh = settings_.model_of(square.head).first_mesh; mesh < square.mesh; ++mesh)
     part += settings_.skin[mesh].parts;
   return part;
 }
@@ -126,7 +126,7 @@ void Screen::add_ids() {
   for (std::uint32_t head = 0; head < settings_.head_count(); ++head) {
     const Model& model = settings_.model_of(head);
     for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh) {
-      const passes::MapSquare square{.instance = head, .mesh = mesh};
+      const passes::MapSquare square{.head = head, .mesh = mesh};
       ids.meshes.push_back({square, first_part(square)});
       ids.cut_out = ids.cut_out || settings_.skin[mesh].cut_out;
     }
@@ -204,8 +204,8 @@ void Screen::add_split_skin(const std::vector<passes::MapSquare>& skin,
           .blurred = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)},
           .mm_per_unit = settings_.skin[square.mesh].mm_per_unit,
           .first_part = first_part(square),
-          .first_part_of_head = first_part_[square.instance],
-          .end_part_of_head = first_part_[square.instance + 1]}});
+          .first_part_of_head = first_part_[square.head],
+          .end_part_of_head = first_part_[square.head + 1]}});
   }
   plan_->add<Together<passes::ShadeSplit>>(name, split);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// T, the side of the light maps of a head.
+/// T, the side of the light maps of a head; and the steps in which sides fall, those of shadow maps too.
 #pragma once
 
 #include <cstdint>

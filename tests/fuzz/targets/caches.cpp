@@ -13,7 +13,7 @@
 
 #include "base/core/cache.h"
 #include "environment/occlusion.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/unwrap.h"
 #include "image/colour.h"
 #include "support.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/unwrap.h"
 #include "lab.h"
 #include "support/rigs.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "lab.h"
 
 namespace dermis {

@@ -6,7 +6,7 @@
 #include "dermis/asset_arrays.h"
 #include "frame.h"
 #include "gpu/support/pictures.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 
 namespace dermis::tests {
 namespace {

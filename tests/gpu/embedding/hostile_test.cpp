@@ -7,7 +7,7 @@
 #include "frame.h"
 #include "gpu/support/pictures.h"
 #include "gpu/support/scenes.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "support/thrown.h"
 
 namespace dermis::tests {

@@ -15,7 +15,7 @@
 #include "gpu/pipelines.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "render/passes/bindings.h"
 
 namespace dermis::test_embedding {

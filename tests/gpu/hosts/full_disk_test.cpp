@@ -13,7 +13,7 @@
 #include "dermis/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "support/files.h"
 #include "support/full_disk.h"
 #include "support/thrown.h"

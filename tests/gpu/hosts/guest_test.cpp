@@ -16,7 +16,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "support/files.h"
 #include "support/thrown.h"
 #include "support/variable.h"

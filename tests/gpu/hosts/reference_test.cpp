@@ -12,7 +12,7 @@
 #include "dermis/reference.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "support/files.h"
 #include "support/thrown.h"
 

@@ -13,7 +13,7 @@
 #include "gpu/support/pictures.h"
 #include "gpu/support/renderer.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/rig/rig.h"
 #include "head/scene/surface/measured.h"
 #include "image/compare_flip.h"

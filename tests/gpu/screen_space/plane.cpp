@@ -9,7 +9,7 @@
 #include "api/asset_state.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "tissue/gaussians/known.h"
 

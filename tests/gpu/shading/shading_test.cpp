@@ -14,7 +14,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "head/builtin_head/builtin_head.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "image/metrics.h"
 #include "render/shared/entries_io.h"
 

@@ -12,7 +12,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "image/metrics.h"
 #include "render/passes/light_map/transmission.h"

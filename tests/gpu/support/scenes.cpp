@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 
 namespace dermis::tests {

@@ -12,7 +12,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "image/codec.h"
 #include "image/colour.h"
 #include "support/files.h"

@@ -16,7 +16,7 @@
 #include "gpu/support/renderer.h"
 #include "gpu/transfer.h"
 #include "head/scene/import/load.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "image/colour.h"
 #include "render/passes/asset/gutter_list.h"

@@ -10,7 +10,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "gpu/translucency/slab.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 
 namespace dermis::tests {
 namespace {

@@ -13,7 +13,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "gpu/translucency/slab.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "render/techniques/technique.h"
 
 namespace dermis::tests {

@@ -15,7 +15,7 @@
 #include "gpu/support/scenes.h"
 #include "gpu/support/settings.h"
 #include "gpu/unwraps/made_up.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "tissue/gaussians/known.h"
 
 namespace dermis::tests {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 
 namespace dermis::tests {
 namespace {

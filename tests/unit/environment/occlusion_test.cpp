@@ -12,7 +12,7 @@
 #include "dermis/cancelled.h"
 #include "environment/environment.h"
 #include "environment/prepare/sky_rays.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "rays/ray_scene.h"
 #include "support/log_lines.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "rays/ray_scene.h"
 #include "rays/surface_point.h"
 #include "support/written_out.h"

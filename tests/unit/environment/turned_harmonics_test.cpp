@@ -10,7 +10,7 @@
 
 #include "environment/harmonics.h"
 #include "environment/texel_grid.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 
 namespace dermis::environment {
 namespace {

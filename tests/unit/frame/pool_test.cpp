@@ -16,7 +16,7 @@ namespace {
 TEST(Pool, HeadsTogetherFitTheLayersOfATexture) {
   for (const auto& [lamps, together] : {std::pair{2u, 64u}, std::pair{40u, 51u}, std::pair{3000u, 1u}}) {
     techniques::FrameSettings plan;
-    plan.skin.push_back({.profile = gaussians::skin_six()});
+    plan.skin.push_back({.profile = gaussians::skin_six(), .map_size = 64});
     plan.models = {{.meshes = 1}};
     plan.heads.assign(64, 0);
     plan.map_size = 64;

@@ -11,7 +11,7 @@
 
 #include "api/asset_state.h"
 #include "dermis/error.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "support/assets.h"
 #include "support/files.h"

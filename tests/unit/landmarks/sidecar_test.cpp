@@ -10,7 +10,7 @@
 #include "dermis/error.h"
 #include "head/landmarks/known.h"
 #include "head/landmarks/places.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "support/files.h"
 #include "support/thrown.h"

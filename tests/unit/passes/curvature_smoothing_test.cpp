@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/unwrap.h"
 
 namespace dermis::passes {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 
 namespace dermis::passes {
 namespace {

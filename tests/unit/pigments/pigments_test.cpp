@@ -11,7 +11,7 @@
 #include "head/pigments/coding.h"
 #include "head/pigments/fit.h"
 #include "head/scene/import/load.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "image/codec.h"
 #include "image/colour.h"
 #include "support/assets.h"

@@ -11,7 +11,7 @@
 #include "api/scene_state.h"
 #include "dermis/pose.h"
 #include "dermis/scene.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "support/thrown.h"
 

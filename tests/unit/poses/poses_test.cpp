@@ -13,7 +13,7 @@
 #include "api/asset_state.h"
 #include "api/scene_state.h"
 #include "dermis/scene.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/placement.h"
 #include "head/scene/surface/measured.h"
 #include "support/thrown.h"

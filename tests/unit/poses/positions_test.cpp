@@ -9,7 +9,7 @@
 #include "api/scene_state.h"
 #include "dermis/camera.h"
 #include "dermis/scene.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/placement.h"
 #include "head/scene/surface/measured.h"
 #include "render/setup/choose.h"

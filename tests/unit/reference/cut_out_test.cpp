@@ -2,7 +2,7 @@
 // What the alpha test cuts away is in no ray's way, gets no light and is not seen.
 #include <gtest/gtest.h>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "rays/alpha_test.h"
 #include "unit/reference/scenes.h"
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "truth/reference/checkpoint.h"
 #include "unit/reference/scenes.h"
 

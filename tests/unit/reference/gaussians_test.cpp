@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "tissue/gaussians/known.h"
 #include "unit/reference/scenes.h"
 

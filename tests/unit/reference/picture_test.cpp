@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "image/colour.h"
 #include "support/sanitized.h"
 #include "tissue/gaussians/known.h"

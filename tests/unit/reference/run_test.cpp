@@ -8,7 +8,7 @@
 #include "base/core/error.h"
 #include "base/core/file.h"
 #include "base/core/hooks.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "truth/reference/checkpoint.h"
 #include "unit/reference/scenes.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "head/scene/framing.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "head/scene/surface/unwrap.h"
 #include "support/built_in.h"

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "scan.h"
 #include "skin_meshes.h"
 #include "support/log_lines.h"

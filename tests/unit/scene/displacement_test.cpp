@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "scan.h"
 
 namespace dermis::scene {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "head/scene/framing.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/placement.h"
 #include "scan.h"
 

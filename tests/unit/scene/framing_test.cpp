@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dermis/error.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "scan.h"
 
 namespace dermis::scene {

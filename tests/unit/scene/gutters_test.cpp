@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/coverage.h"
 #include "head/scene/surface/tangents.h"
 #include "scan.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "unit/scene/skin_meshes.h"
 
 namespace dermis::scene {

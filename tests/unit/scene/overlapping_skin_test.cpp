@@ -7,7 +7,7 @@
 
 #include "base/core/error.h"
 #include "head/scene/import/limits.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/unwrap.h"
 
 namespace dermis::scene {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "scan.h"
 
 namespace dermis::scene {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/coverage.h"
 #include "skin_meshes.h"
 #include "support/log_lines.h"

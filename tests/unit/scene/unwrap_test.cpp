@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "scan.h"
 #include "skin_meshes.h"
 #include "support/log_lines.h"

@@ -11,7 +11,7 @@
 
 namespace dermis::setup {
 
-inline PlacedAsset placed(const std::shared_ptr<const scene::AssetData>& asset) {
+inline PlacedInstance placed(const std::shared_ptr<const scene::AssetData>& asset) {
   return {.asset = asset, .profile = {}, .mix = {}};
 }
 

@@ -14,7 +14,7 @@
 #include "alone.h"
 #include "dermis/error.h"
 #include "head/scene/framing.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "render/setup/camera_matrices.h"
 #include "render/setup/frame_camera.h"
@@ -127,7 +127,7 @@ TEST(Matrices, ShowTheSameInEveryConvention) {
       const scene::Camera camera = camera_of(matrices);
       const io::CameraIo seen = frame_camera(camera, aspect);
       const glm::mat4 exact = picture_from_world(matrices, camera),
-                      of_host = glm::mat4(clip_from_world(matrices));
+                      of_host = glm::mat4(upright_clip_from_world(matrices));
       for (const int row : {0, 1, 3}) EXPECT_EQ(glm::row(exact, row), glm::row(of_host, row));
       EXPECT_NEAR(camera.znear_m, near_m, 1e-5);
       EXPECT_EQ(camera.orthographic, orthographic);

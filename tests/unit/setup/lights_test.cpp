@@ -6,7 +6,7 @@
 
 #include "alone.h"
 #include "dermis/error.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "render/setup/frame_setup.h"
 #include "support/thrown.h"

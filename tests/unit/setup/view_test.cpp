@@ -8,7 +8,7 @@
 
 #include "alone.h"
 #include "head/scene/framing.h"
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 
 namespace dermis::setup {

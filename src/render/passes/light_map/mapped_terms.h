@@ -5,10 +5,18 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 
 #include "render/shared/terms_io.h"
 
 namespace dermis::passes {
+
+/// A Gaussian of a profile whose light a map holds.
+struct MapTerm {
+  glm::vec3 weight{0};
+  /// mm of the asset; 0: the light before any blur, for all narrower terms together. Such a one is the last.
+  float sigma_mm = 0;
+};
 
 /// Data of a head and a frame, not of the plan: render/techniques/mapped_terms.h makes it. A map that is not
 /// written is not read, nor multiplied by 0: it may hold anything. By default all terms are mapped.

@@ -29,7 +29,7 @@ std::vector<frame::BufferId> add_curvatures(passes::FramePlan& plan, const Frame
                       {.bytes = std::max(part.vertices, 1u) * sizeof(float)}, frame::Lifetime::persistent);
       (part.posed ? posed : rigid)
           .members.push_back({{curvatures[mesh]},
-                              {.square = {.instance = head, .mesh = mesh},
+                              {.square = {.head = head, .mesh = mesh},
                                .vertices = part.vertices,
                                .triangles = part.triangles,
                                .posed = part.posed}});

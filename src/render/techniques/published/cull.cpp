@@ -5,10 +5,12 @@
 
 #include "frame/resources.h"
 #include "render/passes/asset/posed.h"
-#include "render/passes/light_map/cull.h"
-#include "render/techniques/published/cull_io.h"
 
 namespace dermis::techniques::papers {
+
+io::CullIo cull_io(const passes::Instance& instance, const passes::GpuMaterial& material) {
+  return {.can_cull = material.double_sided ? 0u : 1u, .map_side = static_cast<float>(instance.map_side)};
+}
 
 Cull::Out Cull::declare(frame::Declare& d) {
   compute(d, "published/cull.comp");
@@ -25,7 +27,7 @@ void Cull::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
   bindings.bind(cmd, pipeline());
 
   for (const passes::GpuDraw& draw : mesh_of(frame, settings.object).draws) {
-    const io::CullIo cull = passes::cull_io(instance, instance.look->material(draw.material));
+    const io::CullIo cull = cull_io(instance, instance.look->material(draw.material));
     const std::uint32_t end = (draw.first_index + draw.index_count) / 3;
     for (std::uint32_t first = draw.first_index / 3; first < end; first += gpu::most_in_row) {
       const std::uint32_t count = std::min(end - first, gpu::most_in_row);

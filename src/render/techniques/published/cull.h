@@ -4,9 +4,13 @@
 #pragma once
 
 #include "render/passes/compute_pass.h"
+#include "render/techniques/published/cull_io.h"
 #include "render/techniques/published/object.h"
 
 namespace dermis::techniques::papers {
+
+/// Inputs of cull.glsl, beside the camera of the frame.
+io::CullIo cull_io(const passes::Instance& instance, const passes::GpuMaterial& material);
 
 class Cull : public passes::ComputePass {
  public:

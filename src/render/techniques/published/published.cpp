@@ -35,7 +35,7 @@ struct LightMaps {
 
 LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& s) {
   if (s.skin.empty()) return;
-  const std::uint32_t side = s.square_side > 0 ? s.square_side : s.map_size;
+  const std::uint32_t side = s.square_side;
   gpu::TextureDesc map{.width = side, .height = side, .format = passes::light_format};
   std::size_t terms = 0;
   for (const PlannedMesh& part : s.skin) terms = std::max(terms, part.profile.terms.size());
@@ -96,7 +96,7 @@ class AddObject {
   void add_count(std::string_view what, ObjectCounter which) {
     plan_->add<passes::Count>(name(what), {maps_->irradiance, screen_->counters()},
                               {.slot = object_counter(*s_, 0, part_->in_model, which),
-                               .slots_per_instance = counters_of_object * s_->most_meshes(),
+                               .slots_per_head = counters_of_object * s_->most_meshes(),
                                .squares = {object_}});
   }
 
@@ -203,7 +203,7 @@ std::vector<Object> objects_of(const FrameSettings& s, std::uint32_t head) {
   std::vector<Object> objects;
   const Model& model = s.model_of(head);
   for (std::uint32_t i = model.meshes; i-- > 0;)
-    objects.push_back({.instance = head, .mesh = model.first_mesh + i});
+    objects.push_back({.head = head, .mesh = model.first_mesh + i});
   return objects;
 }
 
@@ -238,7 +238,7 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
                const std::vector<frame::TextureId>& stretch) {
   std::uint32_t head = s.head_count() - 1;
   while (head > 0 && s.model_of(head).meshes == 0) --head;
-  const Object object{.instance = head, .mesh = s.model_of(head).first_mesh};
+  const Object object{.head = head, .mesh = s.model_of(head).first_mesh};
   const auto light = [&](frame::TextureId map, Shown::Needs needs, std::uint32_t term) {
     return Shown{.map = map, .as = Shown::As::light, .used_square = true, .needs = needs, .term = term};
   };

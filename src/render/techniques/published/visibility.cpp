@@ -3,8 +3,8 @@
 
 #include "frame/resources.h"
 #include "render/passes/draw_skin.h"
-#include "render/passes/light_map/cull.h"
 #include "render/passes/targets.h"
+#include "render/techniques/published/cull.h"
 
 namespace dermis::techniques::papers {
 
@@ -41,7 +41,7 @@ void Visibility::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
         return pipelines_[material.cut_out];
       },
       [&](const passes::GpuDraw&, const passes::GpuMaterial& material) {
-        return passes::cull_io(instance, material);
+        return cull_io(instance, material);
       },
       passes::first_corners(instance, mesh));
   cmd.end_rendering();

@@ -7,7 +7,7 @@
 #include "render/shaders/instance.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/techniques/published/cull.glsl"
-#include "render/shared/cull_io.h"
+#include "render/techniques/published/cull_io.h"
 layout(push_constant, scalar) uniform Push { CullIo io; };
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) flat out uint out_culled;

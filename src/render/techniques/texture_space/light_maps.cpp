@@ -24,7 +24,7 @@ LightMaps::LightMaps(passes::FramePlan& plan, const FrameSettings& settings, Scr
     : plan_(&plan), settings_(&settings), screen_(&screen), pool_(settings) {
   std::uint32_t materials = 1;
   for (const PlannedMesh& part : settings.skin) materials = std::max(materials, part.draws);
-  tiles_ = passes::make_tile_lists(plan, pool_.squares(), pool_.cell_side(), materials);
+  tiles_ = passes::make_tile_lists(plan, pool_.squares(), settings.square_side, materials);
   texels_ = passes::make_texel_map(plan, pool_.texture());
 
   light_ = entered_ = make_map("irradiance");
@@ -59,7 +59,7 @@ frame::TextureId LightMaps::make_map(std::string name) {
 
 // A stretch map lasts from frame to frame, unless the skin meshes of a head take turns with it.
 void LightMaps::make_stretch() {
-  const std::uint32_t side = stretch_side_of(*settings_);
+  const std::uint32_t side = settings_->stretch_side;
   const gpu::TextureDesc map{.width = side, .height = side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const auto lifetime = pool_.splits_heads() ? frame::Lifetime::transient : frame::Lifetime::persistent;
   std::uint32_t maps = pool_.splits_heads() ? pool_.meshes_per_batch() : 0;
@@ -161,7 +161,7 @@ void LightMaps::add_light(const std::vector<MapSquare>& all) {
   for (const std::uint32_t mesh : meshes_of(all))
     counts.members.push_back({{light_, screen_->counters()},
                               {.slot = square_counter(*settings_, 0, skin[mesh].in_model, counter_lit_texels),
-                               .slots_per_instance = counter_head_stride(*settings_),
+                               .slots_per_head = counter_head_stride(*settings_),
                                .squares = of_mesh(all, mesh)}});
   plan_->add<Together<passes::Count>>(name("count texels"), counts);
 
@@ -192,7 +192,7 @@ void LightMaps::add_tiles(const std::vector<MapSquare>& all) {
   plan_->add<passes::Tiles>(name("tiles"), {tiles_, screen_->counters(), light_maps_},
                             {.squares = all,
                              .first_slot = square_counter(*settings_, 0, 0, counter_tiles),
-                             .slots_per_instance = counter_head_stride(*settings_),
+                             .slots_per_head = counter_head_stride(*settings_),
                              .slots_per_mesh = counter_mesh_stride});
 }
 

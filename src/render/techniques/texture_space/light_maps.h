@@ -13,11 +13,6 @@
 
 namespace dermis::techniques {
 
-/// Returns the side of the maps of the metric, texels.
-inline std::uint32_t stretch_side_of(const FrameSettings& settings) {
-  return settings.stretch_side > 0 ? settings.stretch_side : settings.map_size;
-}
-
 /// The maps of all skin meshes, and the passes up to the first blur. `all` are the squares of one batch,
 /// sorted by mesh.
 class LightMaps {

@@ -32,7 +32,7 @@ passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model)
       head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
   return {.index = index,
           .cell = {index % columns(), index / columns()},
-          .side = cell_side(),
+          .side = settings_->square_side,
           .batch = head / settings_->heads_per_batch * mesh_batches() + mesh_in_model / meshes_per_batch()};
 }
 
@@ -49,14 +49,10 @@ std::vector<passes::MapSquare> MapPool::squares(const Batch& batch, std::uint32_
   return squares_of(*settings_, batch, first, first + meshes_per_batch());
 }
 
-std::uint32_t MapPool::cell_side() const {
-  return settings_->square_side > 0 ? settings_->square_side : settings_->map_size;
-}
-
 gpu::TextureDesc MapPool::texture() const {
   const std::uint32_t rows = (squares() + columns() - 1) / columns();
-  return {.width = columns() * cell_side(),
-          .height = rows * cell_side(),
+  return {.width = columns() * settings_->square_side,
+          .height = rows * settings_->square_side,
           .format = VK_FORMAT_R16G16B16A16_SFLOAT};
 }
 

@@ -26,7 +26,6 @@ class MapPool {
   std::vector<std::vector<passes::MapPlace>> places() const;  ///< [head][mesh in its model]
   /// Of these heads and those of their skin meshes that take turn `mesh_batch`: see squares_of().
   std::vector<passes::MapSquare> squares(const Batch& batch, std::uint32_t mesh_batch) const;
-  std::uint32_t cell_side() const;  ///< of the cell of a square, texels
   /// A texture, RGBA16F, that holds all squares.
   gpu::TextureDesc texture() const;
 

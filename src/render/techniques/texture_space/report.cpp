@@ -125,7 +125,7 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
                        .width_texels = passes::gutter_width(part.profile, part.max_texels_per_mm(side))});
     };
 
-    add(stretch_side_of(settings));
+    add(settings.stretch_side);
     for (const DrawnHead& head : drawn)
       if (has_mesh(settings.models[head.model], mesh) && mapped_terms(settings, mesh, head.detail).any)
         add(head.detail.side);

@@ -25,7 +25,7 @@ using passes::MapSquare;
 MapSquare shown_square(const FrameSettings& s) {
   std::uint32_t head = s.head_count() - 1;
   while (head > 0 && s.model_of(head).meshes == 0) --head;
-  return {.instance = head, .mesh = s.model_of(head).first_mesh};
+  return {.head = head, .mesh = s.model_of(head).first_mesh};
 }
 
 // Makes the map that shows which of its texels are lit.
@@ -45,7 +45,7 @@ frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s)
 void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
   const MapSquare square = shown_square(s);
   const auto light = [&](frame::TextureId map, Shown::Needs needs, std::uint32_t term) {
-    const passes::MapPlace place = maps.pool().place(square.instance, 0);
+    const passes::MapPlace place = maps.pool().place(square.head, 0);
     return Shown{.map = map,
                  .as = Shown::As::light,
                  .origin = place.cell * place.side,
@@ -79,7 +79,7 @@ std::vector<MapSquare> one_of_each_unwrap(const FrameSettings& s) {
   for (std::uint32_t head = 0; head < s.head_count(); ++head)
     for (std::uint32_t i = 0; i < s.model_of(head).meshes; ++i) {
       const std::uint32_t mesh = s.model_of(head).first_mesh + i;
-      found.try_emplace(s.skin[mesh].unwrap, MapSquare{.instance = head, .mesh = mesh});
+      found.try_emplace(s.skin[mesh].unwrap, MapSquare{.head = head, .mesh = mesh});
     }
 
   std::vector<MapSquare> squares;

@@ -27,8 +27,7 @@ void Count::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   };
   if (settings.squares.empty()) count({0, 0}, {picture.desc().width, picture.desc().height}, settings.slot);
   for (const UsedSquare& square : used_squares(frame, settings.squares))
-    count(square.origin, glm::uvec2(square.side),
-          settings.slot + square.instance * settings.slots_per_instance);
+    count(square.origin, glm::uvec2(square.side), settings.slot + square.head * settings.slots_per_head);
 }
 
 }  // namespace dermis::passes

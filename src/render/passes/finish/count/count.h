@@ -12,7 +12,7 @@ class Count : public ComputePass {
  public:
   struct Settings {
     std::uint32_t slot = 0;
-    std::uint32_t slots_per_instance = 0;  ///< squares of instance i count at slot + i * slots_per_instance
+    std::uint32_t slots_per_head = 0;  ///< squares of head i count at slot + i * slots_per_head
     float threshold = 0.5f;
     std::vector<MapSquare> squares;  ///< counts only their used areas; empty: the whole picture
   } settings;

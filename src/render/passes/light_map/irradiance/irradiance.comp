@@ -21,7 +21,7 @@
 #define TARGETS 1
 #endif
 #include "render/shaders/cut_chart.glsl"
-#include "render/passes/light_map/irradiance/entered.glsl"
+#include "render/passes/light_map/irradiance/albedo_before.glsl"
 #include "render/passes/light_map/irradiance/texel.glsl"
 layout(binding = 36, rgba16f) uniform writeonly image2D light;
 #if GROUPS > 0
@@ -47,7 +47,7 @@ LitTexel lit_texel(ShadingPoint s, vec2 unwrap, float chart_there, CutTexel cut)
   const LitThrough r = lit_through(s, n, skin_specular(s), unseen);
 #endif
 
-  const vec4 before = entered(s, chart_there, cut);
+  const vec4 before = albedo_before(s, chart_there, cut);
   const float chart = before.a;
   const float scale = frame.radiance_scale / pi;
 

@@ -7,7 +7,7 @@
 #include "render/shaders/half.glsl"
 #include "render/shaders/skin_point.glsl"
 #include "render/shaders/cut_chart.glsl"
-#include "render/passes/light_map/irradiance/entered.glsl"
+#include "render/passes/light_map/irradiance/albedo_before.glsl"
 #include "render/passes/light_map/irradiance/texel.glsl"
 layout(binding = 24) uniform sampler2D host_irradiance;
 layout(binding = 36, rgba16f) uniform writeonly image2D light;
@@ -20,6 +20,6 @@ void main() {
   if (e.a == 0.0) return;
 
   const TexelPoint t = texel_point(corners_at(corners_of(listed.triangle), listed.texel));
-  const vec4 before = entered(t.s, t.chart, cut_texel(t.s, t.alpha_reach));
+  const vec4 before = albedo_before(t.s, t.chart, cut_texel(t.s, t.alpha_reach));
   imageStore(light, p, vec4(storable(e.rgb * before.rgb * (frame.radiance_scale / pi)), before.a));
 }

@@ -3,7 +3,6 @@
 
 #include "frame/resources.h"
 #include "render/passes/draw_skin.h"
-#include "render/passes/light_map/cull.h"
 #include "render/passes/targets.h"
 
 namespace dermis::passes {
@@ -37,7 +36,7 @@ void ShowVisibility::record(gpu::Cmd& cmd, const frame::Resources& resources, co
   draw_skin(
       cmd, instance, mesh, bindings,
       [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; },
-      [&](const GpuDraw&, const GpuMaterial& material) { return cull_io(instance, material); },
+      [&](const GpuDraw&, const GpuMaterial& material) { return material.double_sided ? 0u : 1u; },
       first_corners(instance, mesh));
   cmd.end_rendering();
 }

@@ -7,8 +7,7 @@
 #include "render/shaders/instance.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/cull.glsl"
-#include "render/shared/cull_io.h"
-layout(push_constant, scalar) uniform Push { CullIo io; };
+layout(push_constant, scalar) uniform Push { uint can_cull; };  // 0: both sides are visible
 layout(location = 0) out vec3 out_position_m;
 layout(location = 1) flat out uint out_culled;
 layout(location = 2) out vec4 out_uv;
@@ -20,6 +19,6 @@ void main() {
   out_position_m = world_position(v.position_m);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
-  out_culled = io.can_cull != 0u && is_first_corner() && triangle_culled(gl_VertexIndex) ? 1u : 0u;
+  out_culled = can_cull != 0u && is_first_corner() && triangle_culled(gl_VertexIndex) ? 1u : 0u;
   gl_Position = vec4(unwrap_of(vertex) * 2.0 - 1.0, 0.5, 1.0);
 }

@@ -35,7 +35,7 @@ void main() {
   if (gl_GlobalInvocationID.x >= io.count) return;
   const uint triangle = io.first + gl_GlobalInvocationID.x;
   const bool unseen =
-      (cull && io.cull.can_cull != 0u && triangle_culled(triangle)) || (clip && is_outside(triangle));
+      (cull && io.can_cull != 0u && triangle_culled(triangle)) || (clip && is_outside(triangle));
   const uint marks = tile_material(io.list) | (unseen ? 0u : uint(TILE_SEEN));
 
   const vec2 a = unwrap_of(indices[3u * triangle]), b = unwrap_of(indices[3u * triangle + 1u]),

@@ -6,7 +6,6 @@
 #include "frame/resources.h"
 #include "render/passes/asset/posed.h"
 #include "render/passes/bindings.h"
-#include "render/passes/light_map/cull.h"
 #include "render/passes/light_map/tiles/tiles_io.h"
 #include "render/shared/tiles_io.h"
 
@@ -37,7 +36,7 @@ void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
     const std::vector<GpuDraw>& draws = instance.asset->skin[number].draws;
     for (std::size_t k = 0; k < draws.size(); ++k) {
       io::SeenTilesIo io{
-          .cull = cull_io(instance, instance.look->material(draws[k].material)),
+          .can_cull = instance.look->material(draws[k].material).double_sided ? 0u : 1u,
           .first = draws[k].first_index / 3,
           .count = 0,
           .side = square.side,
@@ -100,7 +99,7 @@ void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
                                 .first_list = square.index * in.lists.lists,
                                 .lists = in.lists.lists,
                                 .room = in.lists.room,
-                                .slot = settings.first_slot + settings.slots_per_instance * square.instance +
+                                .slot = settings.first_slot + settings.slots_per_head * square.head +
                                         settings.slots_per_mesh * mesh_in_asset(frame, square),
                                 .linked = linked ? 1u : 0u};
     dispatch(cmd, square_io, io::tiles_across(square.side));

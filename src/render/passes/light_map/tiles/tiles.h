@@ -38,7 +38,7 @@ class Tiles : public ComputePass {
   struct Settings {
     std::vector<MapSquare> squares;
     std::uint32_t first_slot = 0;  ///< of the counters: tiles to blur, one per skin mesh of each instance
-    std::uint32_t slots_per_instance = 0, slots_per_mesh = 0;
+    std::uint32_t slots_per_head = 0, slots_per_mesh = 0;
   } settings;
   struct In {
     TileLists lists;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #ifndef DERMIS_PASSES_TILES_IO_H
 #define DERMIS_PASSES_TILES_IO_H
-#include "render/shared/cull_io.h"
 #include "render/shared/types.h"
 DERMIS_IO_BEGIN
 // Triangles of one material in a square of the light maps.
 struct SeenTilesIo {
-  CullIo cull;
+  uint can_cull;      // 0: both sides of this material are visible
   uint first, count;  // of the triangles
   uint side;          // T, texels
   uint first_tile;    // of the square's marks
@@ -27,6 +26,6 @@ struct ClearTilesIo {
 };
 DERMIS_IO_END
 #ifdef __cplusplus
-static_assert(sizeof(dermis::io::SeenTilesIo) == 32);
+static_assert(sizeof(dermis::io::SeenTilesIo) == 28);
 #endif
 #endif

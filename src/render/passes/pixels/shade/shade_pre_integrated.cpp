@@ -32,7 +32,7 @@ gpu::Texture upload_table(gpu::Device& device, const std::string& name, const ga
 
 ShadePreIntegrated::Out ShadePreIntegrated::declare(frame::Declare& d) {
   d.kind(frame::PassKind::compute);
-  DERMIS_ASSERT(settings.look.weights.empty());
+  DERMIS_ASSERT(settings.look.terms.empty());
   shading_ = SkinShading(settings.look, in.lights);
   shading_.declare(d);
   d.read(in.curvature);

@@ -8,7 +8,7 @@ namespace dermis::passes {
 
 ShadeSplit::Out ShadeSplit::declare(frame::Declare& d) {
   d.kind(frame::PassKind::compute);
-  DERMIS_ASSERT(settings.look.weights.empty());
+  DERMIS_ASSERT(settings.look.terms.empty());
   shading_ = SkinShading(settings.look, in.lights);
   shading_.declare(d);
   in.entries.declare_shading(d);
@@ -32,7 +32,7 @@ void ShadeSplit::prepare(gpu::PipelineLibrary& library) {
       .blurred = {r, g, b},
       .mm_per_unit = static_cast<float>(settings.mm_per_unit),
       .mesh = static_cast<float>(static_cast<int>(settings.look.square.mesh) - SURFACE_MESH_MIDDLE),
-      .head = settings.look.square.instance,
+      .head = settings.look.square.head,
       .first_part = settings.first_part_of_head,
       .end_part = settings.end_part_of_head};
   split_ = gpu::make_buffer(library.device(), "split skin", std::span<const io::SplitIo>(&split, 1),

@@ -111,8 +111,8 @@ vec3 through_share(LitThrough r, OnMap on) {
 LitThrough found_through;  // at the first point of an entry
 #endif
 
-// s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats. again: at
-// the second point of an entry, to which the same light comes through.
+// s.normal: interpolated, turned to the side that is seen. The result can be stored in half floats.
+// `again`: at the second point of an entry, to which the same light comes through.
 vec3 skin_radiance(ShadingPoint s, OnMap on, bool again) {
   const vec3 v = view_vector(s.position_m);
   const vec3 n = skin_normal(s);

@@ -2,6 +2,7 @@
 #include "render/passes/pixels/shade/skin_shading.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "frame/resources.h"
@@ -26,29 +27,33 @@ io::ShapeIo shape_io(const ShapeLaws& laws) {
           .exit_change = rgb(laws.exit_normal) - rgb(laws.exit_grazing)};
 }
 
-}  // namespace
-
-gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
-                       const std::optional<ThroughMesh>& through) {
+// Returns the uniform buffer that shaders bind as "Terms": ThroughTermsIo, of which the first part is all
+// that shaders without transmitted light declare.
+gpu::Buffer make_terms(gpu::Device& device, const SkinLook& look) {
   io::ThroughTermsIo io{};
-  std::copy(terms.sigmas_mm.begin(), terms.sigmas_mm.end(), io.terms.sigma_mm);
-  io.terms.widest_mm = terms.sigmas_mm.empty() ? 0 : std::ranges::max(terms.sigmas_mm);
-  if (terms.shape) {
-    io.terms.shape = shape_io(*terms.shape);
-    io.terms.exit_offset_m = static_cast<float>(mean(terms.shape->exit_offset_mm) / terms.mm_per_unit);
-    io.terms.m_per_mm = static_cast<float>(1 / terms.mm_per_unit);
+  for (std::size_t i = 0; i < look.terms.size(); ++i) {
+    io.terms.sigma_mm[i] = look.terms[i].sigma_mm;
+    io.terms.widest_mm = std::max(io.terms.widest_mm, look.terms[i].sigma_mm);
   }
-  if (through) {
-    io.transmission = transmission_io(through->profile, through->mm_per_unit, through->first_mapped);
-    io.terms.first_mapped = through->first_mapped;
+  if (look.shape) {
+    io.terms.shape = shape_io(*look.shape);
+    io.terms.exit_offset_m = static_cast<float>(mean(look.shape->exit_offset_mm) / look.mm_per_unit);
+    io.terms.m_per_mm = static_cast<float>(1 / look.mm_per_unit);
+  }
+  if (look.through) {
+    io.transmission =
+        transmission_io(look.through->profile, look.through->mm_per_unit, look.through->first_mapped);
+    io.terms.first_mapped = look.through->first_mapped;
   }
   return gpu::make_buffer(device, "skin terms", std::span<const io::ThroughTermsIo>(&io, 1),
                           VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 }
 
+}  // namespace
+
 SkinShading::SkinShading(SkinLook look, SkinLights lights)
     : look_(std::move(look)), lights_(std::move(lights)) {
-  DERMIS_ASSERT_EQ(lights_.maps.size(), look_.weights.size());
+  DERMIS_ASSERT_EQ(lights_.maps.size(), look_.terms.size());
   DERMIS_ASSERT_LE(lights_.maps.size(), std::size_t{MOST_TERMS});
 }
 
@@ -59,15 +64,15 @@ void SkinShading::declare(frame::Declare& d) const {
 }
 
 void SkinShading::prepare(gpu::PipelineLibrary& library) {
-  terms_ = make_terms(library.device(), look_.terms, look_.through);
+  terms_ = make_terms(library.device(), look_);
   if (through()) through_ = ThroughBindings(library, {*look_.through}, true);
   samplers_ = LightingSamplers(library);
 }
 
 std::vector<SkinVariant> SkinShading::variants() const {
   using Lit = SkinVariant::Lit;
-  std::vector<SkinVariant> lit{{.lit = look_.weights.empty() ? Lit::at_pixel : lit_by_maps()}};
-  if (look_.mixes && !look_.weights.empty()) lit.push_back({.lit = Lit::at_pixel});
+  std::vector<SkinVariant> lit{{.lit = look_.terms.empty() ? Lit::at_pixel : lit_by_maps()}};
+  if (look_.mixes && !look_.terms.empty()) lit.push_back({.lit = Lit::at_pixel});
   if (look_.off_map) lit.push_back({.lit = Lit::at_pixel, .off_map = true});
 
   std::vector<SkinVariant> all;
@@ -89,7 +94,7 @@ SkinVariant SkinShading::variant_of(const FrameData& frame, const GpuDraw& draw,
 }
 
 SkinVariant::Lit SkinShading::lit_of(const FrameData& frame) const {
-  if (look_.weights.empty() || !terms_of(frame, look_.square).any) return SkinVariant::Lit::at_pixel;
+  if (look_.terms.empty() || !terms_of(frame, look_.square).any) return SkinVariant::Lit::at_pixel;
   return lit_by_maps();
 }
 
@@ -112,22 +117,22 @@ gpu::Constants SkinShading::entry_constants(const SkinVariant& variant) const {
 }
 
 gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
-  const auto terms = static_cast<std::uint32_t>(look_.weights.size());
+  const auto terms = static_cast<std::uint32_t>(look_.terms.size());
   const bool at_pixel = variant.lit == SkinVariant::Lit::at_pixel;
   gpu::Constants constants = entry_constants(variant);
   constants.insert(constants.end(),
                    {{"term_count", at_pixel ? 0u : terms},
-                    {"entered_term", look_.entered && !at_pixel ? terms - 1 : ~0u},
+                    {"entered_term", look_.reads_entered() && !at_pixel ? terms - 1 : ~0u},
                     {"direct", variant.lit != SkinVariant::Lit::on_map ? 1u : 0u},
                     {"mixed", look_.mixes && variant.lit == SkinVariant::Lit::mixed ? 1u : 0u},
-                    {"shape_aware", look_.terms.shape ? 1u : 0u},
+                    {"shape_aware", look_.shape ? 1u : 0u},
                     {"cut_out", variant.kind.cut_out ? 1u : 0u}});
   return constants;
 }
 
 io::ShadeIo SkinShading::io(const FrameData& frame) const {
   const MappedTerms mapped = terms_of(frame, look_.square);
-  const bool at_pixel = look_.weights.empty() || look_.off_map || !mapped.any;
+  const bool at_pixel = look_.terms.empty() || look_.off_map || !mapped.any;
   const glm::uvec2 origin = used_square(frame, look_.square).origin;
   io::ShadeIo io{.weights = {},
                  .map_origin = origin.x | origin.y << 16,
@@ -138,11 +143,9 @@ io::ShadeIo SkinShading::io(const FrameData& frame) const {
                  .first_triangle = 0,
                  .first_row = 0,
                  .width = 0};
-  for (std::size_t i = 0; i < look_.weights.size(); ++i) {
-    const auto& [r, g, b] = look_.weights[i];
-    io.weights[i] = mapped.shares[i] * glm::vec3(r, g, b);
-    const bool is_term = !look_.entered || i + 1 < look_.weights.size();
-    if (is_term && mapped.shares[i] < 1) io.through_rays = 1;
+  for (std::size_t i = 0; i < look_.terms.size(); ++i) {
+    io.weights[i] = mapped.shares[i] * look_.terms[i].weight;
+    if (look_.terms[i].sigma_mm > 0 && mapped.shares[i] < 1) io.through_rays = 1;
   }
   return io;
 }

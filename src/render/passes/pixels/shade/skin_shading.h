@@ -4,25 +4,17 @@
 /// part of the passes that shade entries. Based on: [DLE07] sec. 3.4 and GPU Gems 3, ch. 14.4.6
 #pragma once
 
-#include <array>
 #include <bitset>
 #include <optional>
 #include <vector>
 
 #include "render/passes/light_map/light_pool.h"
 #include "render/passes/light_map/lighting.h"
+#include "render/passes/light_map/mapped_terms.h"
 #include "render/passes/light_map/transmission.h"
 #include "render/passes/pixels/shade/shade_io.h"
 
 namespace dermis::passes {
-
-/// The terms of a profile on the light map of a mesh.
-struct TermsOnMap {
-  std::vector<float> sigmas_mm;  ///< one per term, narrow to wide
-  /// in mm of the asset; none: light leaves as from a flat half-space
-  std::optional<ShapeLaws> shape;
-  double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
-};
 
 /// Properties of a material that decide which code draws its skin: a number below `count`.
 struct SkinKind {
@@ -34,9 +26,10 @@ struct SkinKind {
 /// The skin of one mesh, as the plan knows it.
 struct SkinLook {
   MapSquare square;
-  /// one per term that maps hold, 0 to 8; none = Lambert. The rest of them to 1 is lit at the pixel.
-  std::vector<std::array<float, 3>> weights;
-  bool entered = false;       ///< the last weight is that of the light before any blur: MappedTerms
+  /// Those that maps hold, narrow to wide, 0 to 8; none = Lambert. The rest of the weights to 1 is lit at the
+  /// pixel.
+  std::vector<MapTerm> terms;
+  bool reads_entered() const { return !terms.empty() && terms.back().sigma_mm == 0; }
   bool environment = false;   ///< light from FrameData::environment, else FrameIo::ambient
   bool soft_shadows = false;  ///< lights with a radius cast penumbrae
   std::uint32_t samples = 1;  ///< of the ids
@@ -50,7 +43,9 @@ struct SkinLook {
   bool mixes = false;
   /// some light leaves where it entered, for which the weights leave room: it is lit per pixel
   bool unscattered = false;
-  TermsOnMap terms;
+  /// in mm of the asset; none: light leaves as from a flat half-space
+  std::optional<ShapeLaws> shape;
+  double mm_per_unit = 1000;  ///< mm of the asset per metre of the world
   /// The profile, if there is transmitted light, also for the part lit per pixel. See Irradiance.
   std::optional<ThroughMesh> through;
 };
@@ -103,7 +98,7 @@ class SkinShading {
   SkinVariant::Lit lit_by_maps() const {
     return look_.mixes || look_.unscattered ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
   }
-  bool through() const { return look_.through && (look_.mixes || look_.off_map || look_.weights.empty()); }
+  bool through() const { return look_.through && (look_.mixes || look_.off_map || look_.terms.empty()); }
   void offer_maps(Bindings& bindings, const frame::Resources& resources, const Instance& instance) const;
 
   SkinLook look_;
@@ -112,10 +107,5 @@ class SkinShading {
   ThroughBindings through_;
   gpu::Buffer terms_;
 };
-
-/// Returns the uniform buffer that shaders bind as "Terms": ThroughTermsIo, of which the first part is all
-/// that shaders without transmitted light declare.
-gpu::Buffer make_terms(gpu::Device& device, const TermsOnMap& terms,
-                       const std::optional<ThroughMesh>& through = std::nullopt);
 
 }  // namespace dermis::passes

@@ -11,8 +11,7 @@
 namespace dermis::passes {
 
 ScatterSum::Out ScatterSum::declare(frame::Declare& d) {
-  DERMIS_ASSERT_EQ(in.lights.size(), settings.weights.size());
-  DERMIS_ASSERT_EQ(in.lights.size(), settings.sigmas_mm.size());
+  DERMIS_ASSERT_EQ(in.lights.size(), settings.terms.size());
   DERMIS_ASSERT_LE(in.lights.size(), std::size_t{MOST_TERMS});
   compute(
       d, "scatter_sum.comp",
@@ -26,10 +25,9 @@ ScatterSum::Out ScatterSum::declare(frame::Declare& d) {
 void ScatterSum::prepare(gpu::PipelineLibrary& library) {
   ComputePass::prepare(library);
   io::SummedTermsIo terms{};
-  for (std::size_t i = 0; i < settings.weights.size(); ++i) {
-    const auto& [r, g, b] = settings.weights[i];
-    terms.weights[i] = {r, g, b};
-    terms.sigma_mm[i] = settings.sigmas_mm[i];
+  for (std::size_t i = 0; i < settings.terms.size(); ++i) {
+    terms.weights[i] = settings.terms[i].weight;
+    terms.sigma_mm[i] = settings.terms[i].sigma_mm;
   }
   terms_ = gpu::make_buffer(library.device(), "summed terms", std::span<const io::SummedTermsIo>(&terms, 1),
                             VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
@@ -47,14 +45,15 @@ void ScatterSum::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
                       .side = square.side,
                       .layer = layer_of(place.batch),
                       .shown_mm = mapped.shown_mm};
-  std::copy_n(mapped.shares.begin(), settings.weights.size(), io.shares);
+  std::copy_n(mapped.shares.begin(), settings.terms.size(), io.shares);
 
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
                                     "light_4", "light_5", "light_6", "light_7"};
   Bindings bindings;
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], resources.linear(in.lights[i < in.lights.size() ? i : 0]));
-  bindings.add("widest", resources.linear(in.lights[in.lights.size() - (settings.entered ? 2 : 1)]))
+  const bool last_is_entered = settings.terms.back().sigma_mm == 0;
+  bindings.add("widest", resources.linear(in.lights[in.lights.size() - (last_is_entered ? 2 : 1)]))
       .add("stretch", resources.linear(in.stretch))
       .add("Terms", terms_)
       .add("sum_out", resources.storage(in.sum))

@@ -4,11 +4,11 @@
 /// Based on: [DLE07] sec. 3.4
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "render/passes/compute_pass.h"
 #include "render/passes/light_map/light_pool.h"
+#include "render/passes/light_map/mapped_terms.h"
 
 namespace dermis::passes {
 
@@ -16,10 +16,8 @@ class ScatterSum : public ComputePass {
  public:
   struct Settings {
     MapSquare square;
-    std::vector<std::array<float, 3>> weights;  ///< one per term, 1 to 8, as SkinLook has them
-    std::vector<float> sigmas_mm;               ///< likewise
-    bool entered = false;                       ///< likewise
-    bool mixes = false;                         ///< likewise
+    std::vector<MapTerm> terms;  ///< 1 to 8, as SkinLook has them
+    bool mixes = false;          ///< likewise
   } settings;
   struct In {
     std::vector<frame::TextureId> lights;  ///< RGBA16F pools, one per term

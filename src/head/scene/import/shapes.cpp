@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "head/scene/import/primitives.h"
+#include "head/scene/import/shapes.h"
 
 #include <array>
 #include <cmath>
