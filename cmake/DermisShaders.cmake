@@ -6,7 +6,8 @@
 #   where NAME is the target without "dermis_" and name is the file's name ("blur.comp"), after PREFIX: unique
 #   within the target, whatever folder it lies in. Empty span: no such shader. Headers that a shader includes
 #   are tracked. #include is relative to src/ or to the including file.
-#   A line "// Variant NAME: DEFINE DEFINE=VALUE ..." of a shader compiles it once more, under another name.
+#   A line "// Variant NAME: DEFINE DEFINE=VALUE ..." of a shader compiles it once more, under that name,
+#   after PREFIX. For these lines CMake runs again when a shader was edited.
 # Not optimised by glslc: -O strips the names that specialisation constants are found by; drivers optimise
 # anyway.
 
@@ -29,7 +30,7 @@ function(dermis_shaders target)
     cmake_path(GET source FILENAME itself)
     file(STRINGS ${source} variants REGEX "^// Variant ")
     foreach(variant "// Variant ${itself}:" ${variants})
-      if(NOT variant MATCHES "^// Variant ([a-z0-9_]+[.][a-z]+):(.*)$")
+      if(NOT variant MATCHES "^// Variant ([a-z0-9_]+[.][a-z]+):(( [A-Z_]+(=[0-9a-z]+)?)*)$")
         message(FATAL_ERROR "${source}: '${variant}' is not '// Variant NAME: DEFINE...'")
       endif()
       set(name "${S_PREFIX}${CMAKE_MATCH_1}")

@@ -45,8 +45,6 @@ std::shared_ptr<const scene::AssetData> finished(scene::AssetData&& asset, const
 
 }  // namespace api
 
-namespace {}  // namespace
-
 Asset Asset::from_arrays(const AssetArrays& arrays, const SceneOptions& options, const Hooks& hooks) {
   const HookScope scope(hooks);
   if (options.unit_scale != 1)

@@ -6,6 +6,8 @@
 #include "api/output.h"
 #include "api/scene_state.h"
 #include "base/core/error.h"
+#include "base/core/warnings.h"
+#include "head/scene/surface/coverage.h"
 #include "render/passes/scatter/scatter_sum/scatter_sum.h"
 #include "render/setup/camera_matrices.h"
 #include "render/setup/choose.h"
@@ -36,11 +38,17 @@ void check_layers(const Scene& scene, const setup::FrameSetup& setup, const gpu:
 }
 
 // Once for each asset is enough, however many views follow.
-void warn_coarse_once(const SceneOnDevice& scene, const setup::PlacedScene& placed,
-                      const setup::FrameSetup& setup) {
+// Says once of each asset where light maps cannot show its skin as it is.
+void warn_of_unwraps_once(const SceneOnDevice& scene, const setup::PlacedScene& placed,
+                          const setup::FrameSetup& setup) {
+  if (!setup.technique->has_light_maps) return;
+  const WarningGroup group;
   bool warned = true;
-  for (const AssetPointer& asset : scene.different_assets())
-    warned = std::exchange(asset->warned_coarse, true) && warned;
+  for (const AssetPointer& asset : scene.different_assets()) {
+    if (std::exchange(asset->warned_of_unwrap, true)) continue;
+    warned = false;
+    for (const scene::SkinMesh& mesh : asset->data->skin) scene::warn_overlap(mesh);
+  }
   if (!warned) setup::warn_coarse(placed, setup);
 }
 
@@ -68,7 +76,7 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
 
   setup::FrameSetup next = set_up(input, settings);
   check_layers(scene, next, limits);
-  warn_coarse_once(next_scene, input.placed, next);
+  warn_of_unwraps_once(next_scene, input.placed, next);
   if (next_environment) setup::fill_environment(next.frame, *next_environment, settings);
 
   // Before the scene is uploaded: a frame that does not fit must say so at once, not after a minute of work

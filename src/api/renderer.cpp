@@ -10,10 +10,8 @@
 #include "api/renderer_state.h"
 #include "api/scene_state.h"
 #include "api/shader_scope.h"
-#include "base/core/warnings.h"
 #include "base/settings/names.h"
 #include "dermis/vulkan.h"
-#include "head/scene/surface/coverage.h"
 #include "render/setup/choose.h"
 #include "render/setup/frame_setup.h"
 #include "render/techniques/shaders.h"
@@ -56,14 +54,12 @@ std::vector<api::AssetPointer> Renderer::State::assets_of(const Scene& scene) {
     return !asset;
   });
 
-  const WarningGroup group;
-  for (const Scene::State::Entry& placed : scene.state().instances) {
-    const std::shared_ptr<const scene::AssetData> data = Asset::State::of(placed.instance.asset);
+  for (const Scene::State::Entry& entry : scene.state().instances) {
+    const std::shared_ptr<const scene::AssetData> data = Asset::State::of(entry.instance.asset);
     api::AssetPointer& asset = known[data];
     if (!asset) {
-      for (const scene::SkinMesh& mesh : data->skin) scene::warn_overlap(mesh);
       asset =
-          std::make_shared<api::SharedAsset>(api::SharedAsset{.data = data, .source = placed.instance.asset});
+          std::make_shared<api::SharedAsset>(api::SharedAsset{.data = data, .source = entry.instance.asset});
       live_assets.push_back(asset);
     }
     of_instances.push_back(asset);

@@ -141,19 +141,19 @@ InstanceId Scene::add(const Instance& instance) {
   if (!Asset::State::of(instance.asset)) throw input_error("", "an instance has no asset: it was moved away");
   check_mix(instance.mix);
   check_tint(instance.tint);
-  State::Entry placed{.id = InstanceId{state_->next_id},
-                      .instance = instance,
-                      .placed = {.asset = {},
-                                 .world_from_asset = checked_transform(instance.world_from_asset),
-                                 .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
-                                 .visible = instance.visible,
-                                 .profile = checked_profile(instance.profile),
-                                 .mix = float_of(instance.mix),
-                                 .tint = glm::vec3(api::vector_of(instance.tint))},
-                      .changes = {.pose = next_change(), .material = next_change(), .rig = next_change()}};
+  State::Entry entry{.id = InstanceId{state_->next_id},
+                     .instance = instance,
+                     .placed = {.asset = {},
+                                .world_from_asset = checked_transform(instance.world_from_asset),
+                                .posed = api::posed_asset(*Asset::State::of(instance.asset), instance.pose),
+                                .visible = instance.visible,
+                                .profile = checked_profile(instance.profile),
+                                .mix = float_of(instance.mix),
+                                .tint = glm::vec3(api::vector_of(instance.tint))},
+                     .changes = {.pose = next_change(), .material = next_change(), .rig = next_change()}};
 
   ++state_->next_id;
-  state_->instances.push_back(std::move(placed));
+  state_->instances.push_back(std::move(entry));
   return state_->instances.back().id;
 }
 
@@ -171,7 +171,7 @@ void Scene::remove(InstanceId id) {
 
 std::vector<InstanceId> Scene::instances() const {
   std::vector<InstanceId> ids;
-  for (const State::Entry& placed : state_->instances) ids.push_back(placed.id);
+  for (const State::Entry& entry : state_->instances) ids.push_back(entry.id);
   return ids;
 }
 
@@ -180,54 +180,54 @@ const Instance& Scene::instance(InstanceId id) const {
 }
 
 void Scene::set_transform(InstanceId id, const std::array<double, 16>& world_from_asset) {
-  State::Entry& placed = *find(state_->instances, id, "instance");
-  placed.placed.world_from_asset = checked_transform(world_from_asset);
-  placed.instance.world_from_asset = world_from_asset;
-  placed.changes.pose = next_change();
+  State::Entry& entry = *find(state_->instances, id, "instance");
+  entry.placed.world_from_asset = checked_transform(world_from_asset);
+  entry.instance.world_from_asset = world_from_asset;
+  entry.changes.pose = next_change();
   // The lights of its rig move with it.
   if (std::any_of(state_->lights.begin(), state_->lights.end(),
                   [&](const State::PlacedLight& light) { return light.light.rig == id; }))
-    state_->light_changes = placed.changes.pose;
+    state_->light_changes = entry.changes.pose;
 }
 
 void Scene::set_visible(InstanceId id, bool visible) {
-  State::Entry& placed = *find(state_->instances, id, "instance");
-  placed.instance.visible = placed.placed.visible = visible;
-  placed.changes.pose = next_change();
+  State::Entry& entry = *find(state_->instances, id, "instance");
+  entry.instance.visible = entry.placed.visible = visible;
+  entry.changes.pose = next_change();
 }
 
 void Scene::set_profile(InstanceId id, const std::optional<ScatterProfile>& profile) {
-  State::Entry& placed = *find(state_->instances, id, "instance");
-  placed.placed.profile = checked_profile(profile);
-  placed.instance.profile = profile;
-  placed.changes.material = next_change();
+  State::Entry& entry = *find(state_->instances, id, "instance");
+  entry.placed.profile = checked_profile(profile);
+  entry.instance.profile = profile;
+  entry.changes.material = next_change();
 }
 
 void Scene::set_mix(InstanceId id, std::optional<double> mix) {
-  State::Entry& placed = *find(state_->instances, id, "instance");
+  State::Entry& entry = *find(state_->instances, id, "instance");
   check_mix(mix);
-  placed.instance.mix = mix;
-  placed.placed.mix = float_of(mix);
-  placed.changes.material = next_change();
+  entry.instance.mix = mix;
+  entry.placed.mix = float_of(mix);
+  entry.changes.material = next_change();
 }
 
 void Scene::set_tint(InstanceId id, const std::array<double, 3>& tint) {
-  State::Entry& placed = *find(state_->instances, id, "instance");
+  State::Entry& entry = *find(state_->instances, id, "instance");
   check_tint(tint);
-  placed.instance.tint = tint;
-  placed.placed.tint = glm::vec3(api::vector_of(tint));
-  placed.changes.material = next_change();
+  entry.instance.tint = tint;
+  entry.placed.tint = glm::vec3(api::vector_of(tint));
+  entry.changes.material = next_change();
 }
 
 void Scene::set_pose(InstanceId id, const std::optional<RigPose>& pose) {
-  State::Entry& placed = *find(state_->instances, id, "instance");
-  placed.placed.posed = api::posed_asset(*Asset::State::of(placed.instance.asset), pose);
-  placed.instance.pose = pose;
-  placed.changes.rig = next_change();
+  State::Entry& entry = *find(state_->instances, id, "instance");
+  entry.placed.posed = api::posed_asset(*Asset::State::of(entry.instance.asset), pose);
+  entry.instance.pose = pose;
+  entry.changes.rig = next_change();
   if (std::any_of(state_->lights.begin(), state_->lights.end(), [&](const State::PlacedLight& light) {
         return light.carrier && light.carrier->instance == id;
       }))
-    state_->light_changes = placed.changes.rig;
+    state_->light_changes = entry.changes.rig;
 }
 
 void Scene::pose(InstanceId id, const std::string& clip, double seconds) {

@@ -25,7 +25,7 @@ struct SharedAsset {
   bool has_shape = false;           ///< vertices know the shape of the body, once a profile asked for it
   bool has_label_vertices = false;  ///< of each skin mesh and page of surfaces, once labels were asked for
   double upload_ms = 0;
-  bool warned_coarse = false;  ///< once is enough, however many views follow
+  bool warned_of_unwrap = false;  ///< once is enough, however many views follow
 };
 using AssetPointer = std::shared_ptr<SharedAsset>;
 

@@ -163,11 +163,13 @@ bool ShaderFolder::refresh(const std::atomic<bool>& stop) {
   if (changed.empty()) return false;
 
   bool any = false;
+  std::set<std::string> there;
   for (const auto& entry : times_) {
     const fs::path& file = entry.first;
     if (!is_shader(file)) continue;
     const bool is_changed = depends_on(file, changed);
     for (const auto& [name, defines] : shaders_of(file)) {
+      there.insert(name);
       if (techniques::find_any_shader(name).empty()) continue;
       // A faulty shader may be right now, if it waited for a file that was not there.
       if (!errors_.contains(name) && !is_changed) continue;
@@ -175,6 +177,10 @@ bool ShaderFolder::refresh(const std::atomic<bool>& stop) {
       any = true;
     }
   }
+  // A variant whose line is gone is as it was built.
+  const auto is_gone = [&](const auto& entry) { return !there.contains(entry.first); };
+  std::erase_if(errors_, is_gone);
+  std::erase_if(compiled_, is_gone);
   // Shaders of one header belong together: none is used while one is wrong.
   if (errors_.empty() && compiled_ != *shaders_) shaders_ = std::make_shared<const ShaderSet>(compiled_);
   return any;

@@ -118,15 +118,15 @@ class Comparer {
 /// The same scene, its skin with one Gaussian.
 Scene with_one_gaussian(const Scene& scene, const RenderSettings& s) {
   Scene::State state = scene.state();
-  for (Scene::State::Entry& placed : state.instances) {
+  for (Scene::State::Entry& entry : state.instances) {
     // Profiles change nothing of what is measured.
-    auto copy = std::make_shared<scene::AssetData>(*Asset::State::of(placed.instance.asset));
+    auto copy = std::make_shared<scene::AssetData>(*Asset::State::of(entry.instance.asset));
     for (scene::Material& material : copy->materials)
       if (material.skin)
         material.skin_settings.profile =
-            gaussians::one_gaussian(setup::choose_profile(material, s, placed.placed.profile));
-    placed.instance.asset = Asset::State::make(std::move(copy));
-    placed.placed.profile.reset();
+            gaussians::one_gaussian(setup::choose_profile(material, s, entry.placed.profile));
+    entry.instance.asset = Asset::State::make(std::move(copy));
+    entry.placed.profile.reset();
   }
   return Scene::State::make(std::move(state));
 }

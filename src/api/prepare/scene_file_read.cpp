@@ -254,10 +254,10 @@ Scene load_scene_file(const json::Value& root, const fs::path& path, const Scene
       if (source.holds_time) asset = Asset::State::make(Asset::State::of(asset), source);
       found = loaded.emplace(number, std::move(asset)).first;
     }
-    Scene::State::Entry& placed = state.instances[i];
-    placed.instance.asset = found->second;
-    placed.instance.pose = file.pose_of_instance[i];
-    placed.placed.posed = posed_asset(*Asset::State::of(found->second), placed.instance.pose);
+    Scene::State::Entry& entry = state.instances[i];
+    entry.instance.asset = found->second;
+    entry.instance.pose = file.pose_of_instance[i];
+    entry.placed.posed = posed_asset(*Asset::State::of(found->second), entry.instance.pose);
   }
   return Scene::State::make(std::move(state));
 }

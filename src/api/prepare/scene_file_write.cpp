@@ -70,8 +70,8 @@ class Writer {
   }
 
   ordered_json json_of_instance(std::size_t number) {
-    const Scene::State::Entry& placed = state_.instances[number];
-    const Instance& instance = placed.instance;
+    const Scene::State::Entry& entry = state_.instances[number];
+    const Instance& instance = entry.instance;
     ordered_json json{{"asset", asset_name(number)}};
     json.update(json_of(instance));
     if (instance.pose) json.update(json_of_pose(*instance.pose, number));

@@ -95,6 +95,7 @@ struct SkinMesh {
   /// changes of fit_unwrap() to the raw coordinates; empty: none
   std::string unwrap_note;
   UnwrapDensity density;  ///< filled by measured()
+  double overlap = 0;     ///< uv_overlap_fraction(), likewise
 };
 
 }  // namespace dermis::scene

@@ -99,9 +99,8 @@ void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSet
 void set_up_map_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
   const auto limit = static_cast<std::uint32_t>(s.quality.map_size);
-  plan.map_size = limit;
-  plan.stretch_side = plan.mixes() ? std::min(limit, most_stretch_side) : limit;
-  for (techniques::PlannedMesh& part : plan.skin) part.map_size = limit;
+  plan.set_map_size(limit);
+  if (plan.mixes()) plan.stretch_side = std::min(limit, most_stretch_side);
 
   set_head_sides(setup, scene, s);
   if (!plan.skin.empty() && plan.mixes()) hold_what_shows(setup, limit, every_view);

@@ -78,8 +78,8 @@ HeadSpheres head_spheres(const PlacedScene& scene, const RenderSettings& setting
 std::vector<scene::Camera> placed_cameras(const PlacedScene& scene);
 
 /// Returns one asset that shows the same: copies of all visible instances in the world, with materials of
-/// their own. Of a single one that is as its asset is, returns that. For what knows no instances, such as the
-/// reference. Takes memory for each copy.
+/// their own, and their skin, but not measured otherwise. Of a single one that is as its asset is, returns
+/// that. For what knows no instances, such as the reference. Takes memory for each copy.
 std::shared_ptr<const scene::AssetData> flattened(const PlacedScene& scene);
 
 }  // namespace dermis::setup

@@ -159,6 +159,11 @@ struct FrameSettings {
   std::optional<HostPart> host;  ///< none: the frame ends as a picture of ours
   bool operator==(const FrameSettings&) const = default;
 
+  /// Sets T_max of the plan and of its meshes, and all sides that follow it.
+  void set_map_size(std::uint32_t side) {
+    map_size = stretch_side = square_side = side;
+    for (PlannedMesh& part : skin) part.map_size = side;
+  }
   std::uint32_t head_count() const { return static_cast<std::uint32_t>(heads.size()); }
   std::uint32_t shadow_sets() const { return keep_shadows ? head_count() : heads_per_batch; }
   const Model& model_of(std::uint32_t head) const { return models[heads[head]]; }

@@ -73,6 +73,20 @@ TEST_F(EditedShaders, AreCompiledWithWhatIncludesThem) {
   EXPECT_EQ(shaders_->shaders()->size(), 2u);
 }
 
+TEST_F(EditedShaders, ForgetAVariantWhoseLineIsGone) {
+  EXPECT_FALSE(shaders_->refresh(go_on));
+  constexpr const char* light = "render/techniques/published/irradiance.frag";
+  edit(light, "// Variant irradiance_through_3.frag: GROUPS=3",
+       "// Variant irradiance_through_3.frag: GROUPS=x");
+  EXPECT_TRUE(shaders_->refresh(go_on));
+  EXPECT_NE(shaders_->errors().find("published/irradiance.frag:"), std::string::npos) << shaders_->errors();
+
+  edit(light, "// Variant irradiance_through_3.frag: GROUPS=x\n", "");
+  EXPECT_TRUE(shaders_->refresh(go_on));
+  EXPECT_EQ(shaders_->errors(), "");
+  EXPECT_TRUE(shaders_->shaders()->empty());
+}
+
 TEST_F(EditedShaders, KeepTheLastThatWereRight) {
   EXPECT_FALSE(shaders_->refresh(go_on));
   edit(tone_map, "void main() {", "void main() {\n  if (false) return;");

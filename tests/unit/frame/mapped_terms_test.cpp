@@ -22,8 +22,7 @@ FrameSettings like_the_scan(std::uint32_t most_side = 2048) {
                     .max_uv_per_mm = 2.5 / 1024,
                     .mean_uv_per_mm = 1.36 / 1024,
                     .wide_mm = 1});
-  s.map_size = s.skin[0].map_size = near_side(s.skin[0], most_side);
-  s.stretch_side = s.square_side = s.map_size;
+  s.set_map_size(near_side(s.skin[0], most_side));
   s.skin[0].first_mapped = first_mapped(s.skin[0], {s.map_size, 0});
   s.models = {{.meshes = 1}};
   s.optimise.depth = true;
@@ -155,7 +154,7 @@ TEST(MappedTerms, AreAllWhereAHostDrawsTheLight) {
 // of 1.6 mm that one kernel holds on the whole map: 40.96 mm^2.
 TEST(MappedTerms, TheChainStartsWithinReachOfOneKernel) {
   FrameSettings s = like_the_scan();
-  s.map_size = s.skin[0].map_size = 1024;
+  s.set_map_size(1024);
   s.skin[0].first_mapped = 0;
   s.skin[0].profile.terms = {{.variance_mm2 = 0.01, .weight = {0.5, 0.5, 0.5}},
                              {.variance_mm2 = 100, .weight = {0.5, 0.5, 0.5}}};

@@ -16,10 +16,10 @@ namespace {
 TEST(Pool, HeadsTogetherFitTheLayersOfATexture) {
   for (const auto& [lamps, together] : {std::pair{2u, 64u}, std::pair{40u, 51u}, std::pair{3000u, 1u}}) {
     techniques::FrameSettings plan;
-    plan.skin.push_back({.profile = gaussians::skin_six(), .map_size = 64});
+    plan.skin.push_back({.profile = gaussians::skin_six()});
     plan.models = {{.meshes = 1}};
     plan.heads.assign(64, 0);
-    plan.map_size = 64;
+    plan.set_map_size(64);
     plan.shadow_size = 48;
     plan.shadow_layers = lamps;
     plan.optimise.cull = true;

@@ -24,11 +24,10 @@ struct Case {
 
 // Some heads of one model with some equal skin meshes.
 void set_heads(techniques::FrameSettings& s, std::uint32_t heads, std::size_t parts, bool more = false) {
-  s.square_side = s.stretch_side = s.map_size;
   s.skin.assign(parts, {.profile = gaussians::skin_six(),
-                        .map_size = s.map_size,
                         .max_uv_per_mm = 4.0 / s.map_size,
                         .mean_uv_per_mm = 4.0 / s.map_size});
+  s.set_map_size(s.map_size);
   for (std::uint32_t i = 0; i < parts; ++i) s.skin[i].unwrap = s.skin[i].in_model = i;
   s.models = {{.meshes = static_cast<std::uint32_t>(parts), .has_surfaces = more, .has_blended = more}};
   s.heads.assign(heads, 0);

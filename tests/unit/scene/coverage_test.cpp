@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "head/scene/surface/coverage.h"
+#include "head/scene/surface/measured.h"
 
 #include <gtest/gtest.h>
 
@@ -160,9 +161,12 @@ TEST(Overlap, ChartsLieApart) {
 
 TEST(Overlap, WarnsFromHalfAPercentOn) {
   tests::LogLines said;
-  EXPECT_NEAR(warn_overlap(only_mesh(two_squares({0.4985f, 0}))), 0.0015, 0.002);
+  const auto few = measured(two_squares({0.4985f, 0})), many = measured(spiral_stairs(12));
+  EXPECT_NEAR(few->skin.front().overlap, 0.0015, 0.002);
   EXPECT_TRUE(said.all.empty());
-  warn_overlap(only_mesh(spiral_stairs(12)));
+  warn_overlap(few->skin.front());
+  EXPECT_TRUE(said.all.empty());
+  warn_overlap(many->skin.front());
   ASSERT_EQ(said.all.size(), 1u);
   EXPECT_NE(said.all[0].find("50.0 %"), std::string::npos) << said.all[0];
 }

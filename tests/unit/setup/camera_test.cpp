@@ -206,6 +206,18 @@ TEST(Matrices, AnOrthographicCameraSeesWhatLiesBeforeIt) {
   EXPECT_THROW(camera_of(behind), InputError);
 }
 
+TEST(Scenes, WithNothingToSeeAreRefused) {
+  scene::AssetData point = scene::sphere(0.1);
+  point.name = "point.glb";
+  for (scene::Vertex& vertex : point.primitives.front().vertices) vertex.position_m = glm::vec3(1, 2, 3);
+  PlacedScene scene;
+  scene.instances.push_back(placed(scene::measured(scene::sphere(0.1))));
+  EXPECT_NO_THROW(check_seen(scene));
+  scene.instances.push_back(placed(scene::measured(point)));
+  EXPECT_EQ(tests::thrown<InputError>([&] { check_seen(scene); }),
+            "point.glb: has nothing to see: all its triangles lie at one point");
+}
+
 // Where the camera stands around a head and how far from it are settings of their own.
 TEST(ChosenCamera, OrbitsAtItsDistance) {
   const std::shared_ptr<const scene::AssetData> ball = scene::measured(scene::sphere(0.1));

@@ -92,17 +92,14 @@ double uv_overlap_fraction(const SkinMesh& mesh, int resolution) {
   return covered > 0 ? static_cast<double>(twice) / static_cast<double>(covered) : 0;
 }
 
-double warn_overlap(const SkinMesh& mesh) {
-  const double fraction = uv_overlap_fraction(mesh);
-  if (fraction > 0.005) {
-    const char* advice =
-        "so these places share one light map: light of one will show on the other. Unwrap the skin without "
-        "overlaps (mirrored halves side by side) and bake its maps again";
-    warn_of(fmt::format("skin: texture coordinates overlap, {}", advice), mesh.name,
-            fmt::format("skin '{}': {:.1f} % of its texture coordinates overlap, {}", mesh.name,
-                        100 * fraction, advice));
-  }
-  return fraction;
+void warn_overlap(const SkinMesh& mesh) {
+  if (mesh.overlap <= 0.005) return;
+  const char* advice =
+      "so these places share one light map: light of one will show on the other. Unwrap the skin without "
+      "overlaps (mirrored halves side by side) and bake its maps again";
+  warn_of(fmt::format("skin: texture coordinates overlap, {}", advice), mesh.name,
+          fmt::format("skin '{}': {:.1f} % of its texture coordinates overlap, {}", mesh.name,
+                      100 * mesh.overlap, advice));
 }
 
 }  // namespace dermis::scene

@@ -56,7 +56,7 @@ double uv_area_sum(const SkinMesh& mesh);
 /// 64 times.
 double uv_overlap_fraction(const SkinMesh& mesh, int resolution = 1024);
 
-/// Warns if more than 0.5 % overlap: how much, what will look wrong, how to correct it. Returns the fraction.
-double warn_overlap(const SkinMesh& mesh);
+/// Warns if more than 0.5 % of a measured mesh overlap: how much, what will look wrong, how to correct it.
+void warn_overlap(const SkinMesh& mesh);
 
 }  // namespace dermis::scene

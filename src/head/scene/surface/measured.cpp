@@ -5,6 +5,7 @@
 
 #include "base/core/hooks.h"
 #include "head/scene/framing.h"
+#include "head/scene/surface/coverage.h"
 #include "head/scene/surface/enclosure.h"
 #include "head/scene/surface/unwrap.h"
 
@@ -15,6 +16,7 @@ std::shared_ptr<const AssetData> measured(AssetData asset) {
   Steps steps("measuring the unwrap", asset.skin.size());
   for (SkinMesh& mesh : asset.skin) {
     mesh.density = unwrap_density(mesh, asset.mm_per_unit);
+    mesh.overlap = uv_overlap_fraction(mesh);
     steps.done();
   }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/techniques/texture_space/final.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "frame/together.h"
@@ -14,9 +16,11 @@ using frame::Together;
 
 namespace {
 
+// A sigma of 0 says that light is not blurred: none of a Gaussian rounds to it.
 passes::MapTerm map_term(const Gaussian& term) {
   return {.weight = {term.weight[0], term.weight[1], term.weight[2]},
-          .sigma_mm = static_cast<float>(std::sqrt(term.variance_mm2))};
+          .sigma_mm =
+              std::max(static_cast<float>(std::sqrt(term.variance_mm2)), std::numeric_limits<float>::min())};
 }
 
 SkinOnScreen skin_of(const FrameSettings& settings, const LightMaps& maps, const passes::MapSquare& square) {

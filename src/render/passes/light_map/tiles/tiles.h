@@ -37,7 +37,7 @@ class Tiles : public ComputePass {
  public:
   struct Settings {
     std::vector<MapSquare> squares;
-    std::uint32_t first_slot = 0;  ///< of the counters: tiles to blur, one per skin mesh of each instance
+    std::uint32_t first_slot = 0;  ///< of the counters: tiles to blur, one per skin mesh of each head
     std::uint32_t slots_per_head = 0, slots_per_mesh = 0;
   } settings;
   struct In {

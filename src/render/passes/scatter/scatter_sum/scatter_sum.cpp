@@ -2,6 +2,7 @@
 #include "render/passes/scatter/scatter_sum/scatter_sum.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "frame/resources.h"
@@ -52,7 +53,7 @@ void ScatterSum::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   Bindings bindings;
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], resources.linear(in.lights[i < in.lights.size() ? i : 0]));
-  const bool last_is_entered = settings.terms.back().sigma_mm == 0;
+  const bool last_is_entered = settings.terms.size() > 1 && settings.terms.back().sigma_mm == 0;
   bindings.add("widest", resources.linear(in.lights[in.lights.size() - (last_is_entered ? 2 : 1)]))
       .add("stretch", resources.linear(in.stretch))
       .add("Terms", terms_)
