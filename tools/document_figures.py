@@ -126,7 +126,7 @@ def speed_ups():
         f"the software driver. The paper has {span([c['paper_speedup'] for c in software], 2)}; "
         f"{len(cells)} cells on an H100 have {span([c['speedup'] for c in cells], 2)}. `texture-space` is "
         f"{span([c['speedup_compute'] for c in software], 1)} times faster than `published` without them, "
-        f"and {span([c['speedup_compute'] for c in cells], 1)} times on the H100 "
+        f"{span([c['speedup_compute'] for c in cells], 1)} on the H100 "
         "([table](docs/performance.md#the-papers-table)).",
     ]
 
