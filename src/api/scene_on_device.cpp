@@ -188,9 +188,8 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
 void SceneOnDevice::make_looks(gpu::Device& device, const setup::PlacedScene& scene,
                                const RenderSettings& settings, const SceneOnDevice& before,
                                const setup::HostSetup* host) {
-  const std::span<const setup::HostMapOfInstance> maps =
-      host ? std::span<const setup::HostMapOfInstance>(host->maps)
-           : std::span<const setup::HostMapOfInstance>();
+  std::span<const setup::HostMapOfInstance> maps;
+  if (host) maps = host->maps;
   SharedBy<SharedLook, LookKey> known;
   for (const auto& look : before.looks_)
     if (look) known.add(key_of(look->asset, look->settings), look);

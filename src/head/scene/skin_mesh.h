@@ -27,7 +27,7 @@ inline constexpr int max_chart_id = 2046;
 /// of triangles that the map does not hold
 inline constexpr std::uint16_t no_chart = 0;
 
-/// Where a vertex came from: Primitive::source_mesh and source_vertex().
+/// The source of a vertex: Primitive::source_mesh and source_vertex().
 struct SourceVertex {
   int mesh = 0;
   std::uint32_t vertex = 0;

@@ -182,14 +182,17 @@ void add_slab_factors(LightRead r, float cosine_here, vec3 light, inout vec3 thr
   const int planes = THROUGH_RAYS ? term_before : through_terms;
   for (int i = 0; i < planes; ++i) through[i] += narrow * exp(-d2 * transmission.falloff_per_m2[i]);
   if (!THROUGH_RAYS) return;
+
   const float is_new = mix(0.6 * smoothstep(0.0, 0.8, -cosine_here), 1.0, smoothstep(0.0, 0.5, r.facing));
   const float here2 = r.way_m * r.way_m;
+
   if (through_terms > 1) {
     const float falloff = transmission.falloff_per_m2[term_before];
     const float mean =
         0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_near_m * r.way_near_m * falloff));
     through[term_before] += light * (is_new * mix(mean, r.cosine * exp(-d2 * falloff), plane));
   }
+
   const float falloff = transmission.falloff_per_m2[last_term];
   const float mean =
       0.5 * exp(-here2 * falloff) + dot(vec4(0.125), exp(-r.way_wide_m * r.way_wide_m * falloff));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What frames need of an asset, whatever their settings.
+/// Measures of an asset that frames need, whatever their settings.
 #pragma once
 
 #include <memory>

@@ -10,6 +10,7 @@
 #ifndef GROUPS
 #define GROUPS 0
 #endif
+
 #define COMPUTE_SHADING
 #include "render/shared/scene_io.h"
 #include "render/shaders/half.glsl"
@@ -23,6 +24,7 @@
 #include "render/shaders/cut_chart.glsl"
 #include "render/passes/light_map/irradiance/albedo_before.glsl"
 #include "render/passes/light_map/irradiance/texel.glsl"
+
 layout(binding = 36, rgba16f) uniform writeonly image2D light;
 #if GROUPS > 0
 layout(binding = 42, rgba16f) uniform writeonly image2D entered_light;

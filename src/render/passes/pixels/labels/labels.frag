@@ -7,12 +7,14 @@
 #ifndef TARGETS
 #define TARGETS 1
 #endif
+
 #include "render/shared/scene_io.h"
 #include "render/passes/pixels/labels/labels_io.h"
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
 #include "render/shaders/frame.glsl"
 layout(binding = 8) uniform sampler2D map_base_colour;
 #include "render/shaders/cut_out.glsl"
+
 layout(constant_id = 0) const bool skin = false;
 layout(constant_id = 2) const uint labels = 0u;  // LABEL_... bits
 layout(push_constant, scalar) uniform Push { LabelsIo io; };

@@ -63,7 +63,7 @@ AlongSkin along_triangle(vec3 a, vec3 b, vec3 c, vec2 unwrap_a, vec2 unwrap_b, v
   return AlongSkin(to_b.x * of_b + to_c.x * of_c, to_b.y * of_b + to_c.y * of_c);
 }
 
-// Where the skin is on its light map.
+// The place of skin on its light map.
 struct OnMap {
   vec2 unwrap;      // in its triangle
   float uv_per_mm;  // texture coordinates
