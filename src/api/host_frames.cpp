@@ -49,8 +49,7 @@ void HostFrames::State::update(const Scene& wanted, const RenderSettings& settin
 HostFrames::State::Filled HostFrames::State::fill(Slot& slot, bool measured) {
   slot.memory.clear();
   Filled filled{.data = frame.data(slot.memory, measured), .records = {}};
-  for (std::size_t i = 0; i < filled.data.instances.size(); ++i)
-    filled.data.instances[i].vertices = move.vertices_of(frame.setup().heads[i].instance);
+  for (passes::Head& head : filled.data.heads) head.vertices = move.vertices_of(head.instance);
   filled.records = slot.memory.add(std::span<const api::HostRecord>(records.of(filled.data, frame.setup())));
   return filled;
 }
@@ -107,7 +106,7 @@ passes::DrawIrradiance HostFrames::State::irradiance_drawer(const gpu::BufferBin
       [this, records_at](gpu::Cmd& cmd, const gpu::Texture& map, std::span<const passes::UsedSquare> used) {
         std::vector<IrradianceSquare> squares;
         for (const passes::UsedSquare& square : used) {
-          const setup::Head& head = frame.setup().heads[square.head];
+          const passes::Head& head = frame.setup().heads[square.head];
           const std::uint32_t mesh = square.mesh - frame.setup().plan.models[head.model].first_mesh;
           squares.push_back({.instance = ids[head.instance],
                              .skin_mesh = mesh,
@@ -189,16 +188,15 @@ void HostFrames::State::record_depth(VkCommandBuffer commands, const std::array<
                            view.depth);
   target.depth = &depth;
 
-  std::vector<passes::HostDepthInstance> shown;
-  const std::vector<passes::Instance> on_device = frame.scene().instances();
-  for (const setup::Head& head : frame.setup().heads)
-    if (scene.instance(ids[head.instance]).visible)
-      shown.push_back({.asset = on_device[head.instance].asset,
-                       .look = on_device[head.instance].look,
-                       .vertices = move.vertices_of(head.instance),
-                       .posed = frame.posed().shape(head.instance),
-                       .placements = frame.posed().placements(head.instance),
-                       .transform = setup::instance_io(head.world_from_asset)});
+  std::vector<passes::Head> shown;
+  for (const passes::Head& head : frame.setup().heads)
+    if (scene.instance(ids[head.instance]).visible) shown.push_back(head);
+  frame.scene().give(shown);
+  for (passes::Head& head : shown) {
+    head.vertices = move.vertices_of(head.instance);
+    head.posed = frame.posed().shape(head.instance);
+    head.placements = frame.posed().placements(head.instance);
+  }
 
   gpu::Cmd cmd(frame.device(), commands);
   cmd.barrier_all();

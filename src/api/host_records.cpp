@@ -17,13 +17,13 @@ HostRecords::HostRecords(std::span<const AssetPointer> assets, float unlit_rest)
 std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
                                         const setup::FrameSetup& setup) const {
   std::vector<HostRecord> records = unlit_;
-  for (std::size_t i = 0; i < frame.instances.size(); ++i) {
-    const passes::Instance& head = frame.instances[i];
-    const std::uint32_t first = first_[setup.heads[i].instance];
+  for (std::size_t i = 0; i < frame.heads.size(); ++i) {
+    const passes::Head& head = frame.heads[i];
+    const std::uint32_t first = first_[head.instance];
     for (std::size_t mesh = 0; mesh < head.map_places.size(); ++mesh) {
       HostRecord& record = records[first + mesh];
-      record.origin = head.map_places[mesh].cell * head.map_places[mesh].side;
-      record.side = static_cast<float>(head.map_side);
+      record.origin = head.map_places[mesh].origin;
+      record.side = static_cast<float>(head.detail.side);
       record.layer = passes::ScatterSum::layer_of(head.map_places[mesh].batch);
       const passes::MapSquare square{static_cast<std::uint32_t>(i),
                                      head.first_mesh + static_cast<std::uint32_t>(mesh)};

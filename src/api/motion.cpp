@@ -4,7 +4,6 @@
 #include <span>
 
 #include "render/passes/pixels/labels/labels_io.h"
-#include "render/setup/frame_data.h"
 
 namespace dermis::api {
 
@@ -12,29 +11,28 @@ void Motion::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, cons
                   const std::vector<InstanceId>& ids, passes::FrameData& data) {
   before_ = std::move(last_);
   last_ = {.clip_from_world = setup.frame.camera.clip_from_world};
-  const bool row = setup.heads.size() > placed.instances.size();
+  const bool row = data.heads.size() > placed.instances.size();
 
-  for (std::size_t h = 0; h < setup.heads.size(); ++h) {
-    const setup::Head& head = setup.heads[h];
+  for (passes::Head& head : data.heads) {
     const setup::PlacedInstance& now = placed.instances[head.instance];
     const std::pair key(ids[head.instance], row ? head.number : 0);
-    const Stood stands{
-        .asset = now.asset, .instance = setup::instance_io(head.world_from_asset), .posed = now.posed};
+    const Stood stands{.asset = now.asset,
+                       .world_from_asset = passes::similarity_io(head.world_from_asset),
+                       .posed = now.posed};
     last_.heads[key] = stands;
 
     const auto found = before_.heads.find(key);
     const bool known = found != before_.heads.end() && found->second.asset == now.asset;
     const Stood& stood = known ? found->second : stands;
-    passes::Instance& instance = data.instances[h];
     const io::LabelsBeforeIo io{.clip_from_world = known ? before_.clip_from_world : last_.clip_from_world,
-                                .instance = stood.instance,
-                                .moved = known && instance.posed && instance.moves ? 1u : 0u};
-    instance.before = memory.add(std::span<const io::LabelsBeforeIo>(&io, 1));
+                                .world_from_asset = stood.world_from_asset,
+                                .moved = known && head.posed && head.moves ? 1u : 0u};
+    head.before = memory.add(std::span<const io::LabelsBeforeIo>(&io, 1));
 
     // Without a pose of its own then, it stood as it was loaded.
-    if (instance.placements.empty() || stood.posed == now.posed) continue;
-    for (const passes::GpuSurfaces::Page& page : instance.asset->surfaces.pages)
-      instance.placements_before.push_back(
+    if (head.placements.empty() || stood.posed == now.posed) continue;
+    for (const passes::GpuSurfaces::Page& page : head.asset->surfaces.pages)
+      head.placements_before.push_back(
           stood.posed ? gpu::BufferBinding{memory.add(std::span<const io::PlacementIo>(
                             passes::posed_placements(page, *now.asset, stood.posed->rig)))}
                       : gpu::BufferBinding{&page.placements});

@@ -18,7 +18,7 @@ namespace dermis::api {
 
 class Motion {
  public:
-  /// Writes Instance::before and Instance::placements_before of `data`, whose instances have their poses, and
+  /// Writes Head::before and Head::placements_before of `data`, whose heads have their poses, and
   /// remembers this frame. `ids`: of all instances of `placed`. An instance of the frame before counts if it
   /// was of the same asset.
   void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, const setup::PlacedScene& placed,
@@ -30,7 +30,7 @@ class Motion {
  private:
   struct Stood {
     std::shared_ptr<const scene::AssetData> asset;
-    io::InstanceIo instance;
+    io::SimilarityIo world_from_asset;
     std::shared_ptr<const setup::PosedAsset> posed;  // null: none
   };
   struct Frame {

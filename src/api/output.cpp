@@ -86,8 +86,9 @@ std::vector<std::uint8_t> display_values(const std::vector<float>& rgba, bool is
 void check_light_is_stored(const techniques::Shown& shown, const std::string& name,
                            const setup::FrameSetup& setup) {
   using Needs = techniques::Shown::Needs;
-  const auto head = std::find_if(setup.heads.rbegin(), setup.heads.rend(),
-                                 [&](const setup::Head& h) { return setup.plan.models[h.model].meshes > 0; });
+  const auto head = std::find_if(setup.heads.rbegin(), setup.heads.rend(), [&](const passes::Head& h) {
+    return setup.plan.models[h.model].meshes > 0;
+  });
   if (shown.needs == Needs::nothing || head == setup.heads.rend()) return;
 
   const std::uint32_t mesh = setup.plan.models[head->model].first_mesh;
@@ -159,8 +160,7 @@ void fill_counts(Statistics& st, std::span<const AssetPointer> assets, const Ren
 
   std::vector<std::uint32_t> counts(counters.size() / sizeof(std::uint32_t));
   std::memcpy(counts.data(), counters.data(), counters.size());
-  const techniques::FrameReport report =
-      setup.technique->report(setup.plan, counts, setup::drawn_heads(setup));
+  const techniques::FrameReport report = setup.technique->report(setup.plan, counts, setup.heads);
   st.skin_pixels = report.skin_pixels;
   st.optimise = report.optimise;
   st.mask = report.mask;
@@ -177,14 +177,13 @@ void fill_counts(Statistics& st, std::span<const AssetPointer> assets, const Ren
 
   if (!setup.technique->has_light_maps) return;
   st.used_size.resize(setup.heads.size());
-  for (const setup::Head& head : setup.heads)
-    st.used_size[static_cast<std::size_t>(head.number)] =
-        head.visible ? static_cast<int>(head.detail.side) : 0;
+  for (const passes::Head& head : setup.heads)
+    st.used_size[head.number] = head.visible ? static_cast<int>(head.detail.side) : 0;
 
   st.mapped_terms.resize(setup.heads.size());
-  for (const setup::Head& head : setup.heads) {
+  for (const passes::Head& head : setup.heads) {
     const techniques::Model& model = setup.plan.models[head.model];
-    int& most = st.mapped_terms[static_cast<std::size_t>(head.number)];
+    int& most = st.mapped_terms[head.number];
     for (std::uint32_t mesh = model.first_mesh; head.visible && mesh < model.first_mesh + model.meshes;
          ++mesh)
       most = std::max(most, techniques::mapped_count(setup.plan, mesh, head.detail));

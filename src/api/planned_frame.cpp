@@ -37,7 +37,6 @@ void check_layers(const Scene& scene, const setup::FrameSetup& setup, const gpu:
         setup.heads.size(), scattered, limits.max_array_layers);
 }
 
-// Once for each asset is enough, however many views follow.
 // Says once of each asset where light maps cannot show its skin as it is.
 void warn_of_unwraps_once(const SceneOnDevice& scene, const setup::PlacedScene& placed,
                           const setup::FrameSetup& setup) {
@@ -93,11 +92,10 @@ bool PlannedFrame::set(const Scene& scene, const RenderSettings& asked,
   // Count as unready until all below is done: any of it may throw.
   ready_ = false;
   setup_ = std::move(next);
-  const std::vector<techniques::DrawnHead> drawn =
-      options_.all_views
-          ? (plans ? setup::every_size(setup_, settings) : std::vector<techniques::DrawnHead>{})
-          : setup::drawn_heads(setup_);
-  next_scene.upload(renderer_->library, input.placed, settings, setup_, drawn, next_environment, scene_,
+  std::vector<passes::Head> every_size;
+  if (options_.all_views && plans) every_size = setup::every_size(setup_, settings);
+  const std::vector<passes::Head>& heads = options_.all_views ? every_size : setup_.heads;
+  next_scene.upload(renderer_->library, input.placed, settings, setup_, heads, next_environment, scene_,
                     host ? &*host : nullptr);
   ids_ = scene.instances();
   posed_.keep(renderer_->library, next_scene, ids_, input.placed, host.has_value());
@@ -163,9 +161,9 @@ void PlannedFrame::plan(const RenderSettings& settings, const setup::FrameSetup&
 }
 
 passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
-  passes::FrameData data =
-      setup::frame_data(memory, setup_, outputs_, scene_.instances(), environment_.get());
-  posed_.fill(memory, setup_, data, measured);
+  passes::FrameData data = setup::frame_data(memory, setup_, outputs_, environment_.get());
+  scene_.give(data.heads);
+  posed_.fill(memory, data, measured);
   shadow_versions_.fill(setup_, scene_, input_.placed, input_.host ? &*input_.host : nullptr, data);
   data.kept_shadows = &kept_shadows_;
   data.kept_texels = &kept_texels_;

@@ -273,19 +273,17 @@ std::vector<gpu::BufferBinding> PosedInstances::placements(std::size_t instance)
   return bindings;
 }
 
-void PosedInstances::add_placements(gpu::FrameMemory& memory, const Current& current,
-                                    passes::Instance& instance) {
-  const std::vector<passes::GpuSurfaces::Page>& pages = instance.asset->surfaces.pages;
+void PosedInstances::add_placements(gpu::FrameMemory& memory, const Current& current, passes::Head& head) {
+  const std::vector<passes::GpuSurfaces::Page>& pages = head.asset->surfaces.pages;
   for (std::size_t p = 0; has_copies(pages) && p < pages.size(); ++p)
-    instance.placements.push_back(memory.add(std::span<const io::PlacementIo>(
+    head.placements.push_back(memory.add(std::span<const io::PlacementIo>(
         passes::posed_placements(pages[p], *current.posed->asset->data, current.pose->rig))));
 }
 
-void PosedInstances::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data,
-                          bool measured) {
+void PosedInstances::fill(gpu::FrameMemory& memory, passes::FrameData& data, bool measured) {
   // Instances that are not seen are moved when they are.
   std::vector<bool> seen(instances_.size(), false), moves(instances_.size(), false);
-  for (const setup::Head& head : setup.heads)
+  for (const passes::Head& head : data.heads)
     if (head.visible) seen[head.instance] = true;
 
   for (std::size_t i = 0; i < instances_.size(); ++i) {
@@ -298,13 +296,12 @@ void PosedInstances::fill(gpu::FrameMemory& memory, const setup::FrameSetup& set
     if (!is_lit(current)) add_sky_turn(memory, current, data);
   }
 
-  for (std::size_t h = 0; h < setup.heads.size(); ++h) {
-    const std::size_t number = setup.heads[h].instance;
-    const Current& current = instances_[number];
+  for (passes::Head& head : data.heads) {
+    const Current& current = instances_[head.instance];
     if (!current.posed) continue;
-    data.instances[h].posed = &current.posed->shape;
-    data.instances[h].moves = moves[number];
-    add_placements(memory, current, data.instances[h]);
+    head.posed = &current.posed->shape;
+    head.moves = moves[head.instance];
+    add_placements(memory, current, head);
   }
 }
 

@@ -12,7 +12,7 @@
 #include "gpu/frame_memory.h"
 #include "render/passes/pose/move_rig/move_rig.h"
 #include "render/passes/pose/turn_sky/turn_sky.h"
-#include "render/setup/frame_setup.h"
+#include "render/setup/placed_scene.h"
 
 namespace dermis::api {
 
@@ -25,10 +25,9 @@ class PosedInstances {
   void keep(gpu::PipelineLibrary& library, const SceneOnDevice& scene, const std::vector<InstanceId>& ids,
             const setup::PlacedScene& placed, bool recorded = false);
 
-  /// Writes what the frame of this setup moves and lights anew, and where its instances have their vertices.
+  /// Writes what a frame moves and lights anew, and where its heads have their vertices.
   /// Both count as done from here on, unless the frame is only `measured`.
-  void fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, passes::FrameData& data,
-            bool measured = false);
+  void fill(gpu::FrameMemory& memory, passes::FrameData& data, bool measured = false);
 
   /// Moves and lights anew what has changed since the last call, seen or not, by commands of their own. Makes
   /// nothing: what they need travels in the command buffer.
@@ -71,7 +70,7 @@ class PosedInstances {
   static passes::SkyTurn recorded_turn(gpu::Cmd& cmd, const Current& current);
   static void add_move(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data);
   static void add_sky_turn(gpu::FrameMemory& memory, const Current& current, passes::FrameData& data);
-  static void add_placements(gpu::FrameMemory& memory, const Current& current, passes::Instance& instance);
+  static void add_placements(gpu::FrameMemory& memory, const Current& current, passes::Head& head);
 
   std::map<InstanceId, std::shared_ptr<Posed>> posed_;
   std::vector<Current> instances_;  // by number in the scene

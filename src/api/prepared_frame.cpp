@@ -66,7 +66,7 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
 
   // Other light enters white skin: what its frames leave in shadow maps is not kept.
   std::vector<std::uint64_t> versions;
-  for (passes::Instance& head : data.instances) versions.push_back(std::exchange(head.shadow_version, 0));
+  for (passes::Head& head : data.heads) versions.push_back(std::exchange(head.shadow_version, 0));
 
   io::FrameIo white = frame.setup().frame;
   white.white_albedo = 1;
@@ -78,7 +78,7 @@ std::optional<double> PreparedFrame::State::measure_exposure() {
   });
 
   expose(frame.setup().frame, ev.value_or(0));
-  for (std::size_t i = 0; i < versions.size(); ++i) data.instances[i].shadow_version = versions[i];
+  for (std::size_t i = 0; i < versions.size(); ++i) data.heads[i].shadow_version = versions[i];
   return ev;
 }
 

@@ -49,8 +49,8 @@ void require_finite(const std::array<double, 3>& values, const char* member) {
     require(std::isfinite(value) && std::abs(value) <= 1e9, member, "finite, at most 1e9 in size", value);
 }
 
-setup::Similarity checked_transform(const std::array<double, 16>& world_from_asset) {
-  const std::optional<setup::Similarity> checked = setup::similarity_of(world_from_asset);
+scene::Similarity checked_transform(const std::array<double, 16>& world_from_asset) {
+  const std::optional<scene::Similarity> checked = scene::similarity_of(world_from_asset);
   if (!checked)
     throw input_error("",
                       "world_from_asset must be rigid with one positive scale (1e-3 to 1e3). So it is a "
@@ -311,7 +311,7 @@ Light light_of(const scene::Light& light) {
           .radius = light.radius};
 }
 
-scene::Light placed_light(const Light& light, const setup::Similarity& world_from_rig) {
+scene::Light placed_light(const Light& light, const scene::Similarity& world_from_rig) {
   constexpr double radians_per_degree = std::numbers::pi / 180;
   glm::dvec3 direction = vector_of(light.direction);
   // A direction of unit length stays as it is, to the bit.
@@ -341,7 +341,7 @@ setup::PlacedScene placed_scene(const Scene& scene) {
   }
 
   for (const Scene::State::PlacedLight& light : state.lights) {
-    setup::Similarity rig;
+    scene::Similarity rig;
     if (light.light.rig) rig = find(state.instances, *light.light.rig, "instance")->placed.world_from_asset;
     placed.lights.push_back(placed_light(light_now(state, light), rig));
   }

@@ -156,7 +156,7 @@ double SceneOnDevice::upload_ms() const {
 
 void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene,
                            const RenderSettings& settings, const setup::FrameSetup& setup,
-                           std::span<const techniques::DrawnHead> drawn,
+                           std::span<const passes::Head> heads,
                            const std::shared_ptr<const setup::EnvironmentLight>& environment,
                            const SceneOnDevice& before, const setup::HostSetup* host) {
   const WarningGroup group;
@@ -174,7 +174,7 @@ void SceneOnDevice::upload(gpu::PipelineLibrary& library, const setup::PlacedSce
   make_looks(device, scene, settings, before, host);
   make_skies(device, scene, setup, settings, environment, before, host);
 
-  const std::vector<techniques::GutterSize> sizes = setup.technique->gutters(setup.plan, drawn);
+  const std::vector<techniques::GutterSize> sizes = setup.technique->gutters(setup.plan, heads);
   Steps steps("making gutters", sizes.size());
   for (const techniques::GutterSize& size : sizes) {
     const setup::MeshSource& source = setup.meshes[size.mesh];
@@ -222,7 +222,7 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
   if (!environment) return;
   std::vector<bool> shown(assets_.size(), false);
   for (std::size_t i = 0; host && i < shown.size(); ++i) shown[i] = scene.instances[i].visible;
-  for (const setup::Head& head : setup.heads) shown[head.instance] = shown[head.instance] || head.visible;
+  for (const passes::Head& head : setup.heads) shown[head.instance] = shown[head.instance] || head.visible;
 
   const double rotation_deg = settings.lighting.environment_rotation_deg;
   SharedBy<SharedSky, SkyKey> known;
@@ -247,14 +247,12 @@ void SceneOnDevice::make_skies(gpu::Device& device, const setup::PlacedScene& sc
   }
 }
 
-std::vector<passes::Instance> SceneOnDevice::instances() const {
-  std::vector<passes::Instance> instances;
-  for (std::size_t i = 0; i < assets_.size(); ++i)
-    instances.push_back({.asset = &*assets_[i]->gpu,
-                         .look = &looks_[i]->look,
-                         .sky = skies_[i] ? std::span<const passes::SkyMaps>(skies_[i]->sky.maps)
-                                          : std::span<const passes::SkyMaps>{}});
-  return instances;
+void SceneOnDevice::give(std::span<passes::Head> heads) const {
+  for (passes::Head& head : heads) {
+    head.asset = &*assets_[head.instance]->gpu;
+    head.look = &looks_[head.instance]->look;
+    if (const std::shared_ptr<const SharedSky>& sky = skies_[head.instance]) head.sky = sky->sky.maps;
+  }
 }
 
 }  // namespace dermis::api

@@ -64,16 +64,17 @@ class SceneOnDevice {
   }
   double upload_ms() const;
 
-  /// Brings the scene to the device: assets, looks, and the gutters for heads `drawn`. With an environment
+  /// Brings the scene to the device: assets, looks, and the gutters for `heads`. With an environment
   /// also what the skin sees of it, with labels the parts of the skin. Leaves out what is there, also of
   /// `before`, the same frame's last scene. With a `host`: its maps, and all also for instances that the
   /// camera does not see.
   void upload(gpu::PipelineLibrary& library, const setup::PlacedScene& scene, const RenderSettings& settings,
-              const setup::FrameSetup& setup, std::span<const techniques::DrawnHead> drawn,
+              const setup::FrameSetup& setup, std::span<const passes::Head> heads,
               const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before,
               const setup::HostSetup* host = nullptr);
 
-  std::vector<passes::Instance> instances() const;  ///< after upload(): assets, looks and skies alone
+  /// Tells heads where their assets, looks and skies are. After upload(); must outlive them.
+  void give(std::span<passes::Head> heads) const;
 
  private:
   void make_looks(gpu::Device& device, const setup::PlacedScene& scene, const RenderSettings& settings,

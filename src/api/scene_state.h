@@ -60,7 +60,7 @@ Light light_now(const Scene::State& scene, const Scene::State::PlacedLight& plac
 /// Returns a light of an asset or of a rig, in its coordinates.
 Light light_of(const scene::Light& light);
 /// Returns the light of a rig or of the world, in the world.
-scene::Light placed_light(const Light& light, const setup::Similarity& world_from_rig);
+scene::Light placed_light(const Light& light, const scene::Similarity& world_from_rig);
 
 }  // namespace api
 }  // namespace dermis

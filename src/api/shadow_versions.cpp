@@ -14,7 +14,7 @@ bool is_same(const std::weak_ptr<T>& a, const std::weak_ptr<T>& b) {
 }
 
 // A host writes what it deforms, its images and its shadow maps whenever it likes.
-bool may_change_unseen(const setup::Head& head, const SharedLook& look, const setup::HostSetup* host) {
+bool may_change_unseen(const passes::Head& head, const SharedLook& look, const setup::HostSetup* host) {
   return !head.host_shadows.empty() || !look.settings.maps.empty() ||
          (host &&
           std::find(host->deformed.begin(), host->deformed.end(), head.instance) != host->deformed.end());
@@ -32,22 +32,21 @@ void ShadowVersions::fill(const setup::FrameSetup& setup, const SceneOnDevice& s
                           const setup::PlacedScene& placed, const setup::HostSetup* host,
                           passes::FrameData& data) {
   if (!setup.plan.keep_shadows) return;
-  heads_.resize(setup.heads.size());
-  for (std::size_t i = 0; i < setup.heads.size(); ++i) {
-    const setup::Head& head = setup.heads[i];
+  heads_.resize(data.heads.size());
+  for (passes::Head& head : data.heads) {
     const std::shared_ptr<const SharedLook>& look = scene.look(head.instance);
     if (may_change_unseen(head, *look, host)) continue;
 
     Source now{.look = look,
                .posed = placed.instances[head.instance].posed,
-               .world_from_asset = data.instances[i].world_from_asset,
+               .world_from_asset = head.world_from_asset,
                .shadow_from_world = head.shadow_from_world,
                .shadow_side = head.shadow_side,
                .white_albedo = setup.frame.white_albedo != 0};
-    Source& before = heads_[static_cast<std::size_t>(head.number)];
+    Source& before = heads_[head.number];
     now.version = before.version != 0 && are_equal(before, now) ? before.version : ++last_;
     before = std::move(now);
-    data.instances[i].shadow_version = before.version;
+    head.shadow_version = before.version;
   }
 }
 

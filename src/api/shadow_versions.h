@@ -14,7 +14,7 @@ namespace dermis::api {
 
 class ShadowVersions {
  public:
-  /// Sets passes::Instance::shadow_version of the heads of a frame. A head keeps the number of the frame
+  /// Sets passes::Head::shadow_version of the heads of a frame. A head keeps the number of the frame
   /// before if nothing that casts its shadows, and no light, has moved or changed since. Else it has a new
   /// one. It is 0 where a host may change it unseen, and in plans that keep no maps.
   void fill(const setup::FrameSetup& setup, const SceneOnDevice& scene, const setup::PlacedScene& placed,
@@ -28,7 +28,7 @@ class ShadowVersions {
   struct Source {
     std::weak_ptr<const SharedLook> look;  // of its asset
     std::weak_ptr<const setup::PosedAsset> posed;
-    glm::mat4x3 world_from_asset{1};
+    scene::Similarity world_from_asset;
     std::vector<glm::mat4> shadow_from_world;
     std::uint32_t shadow_side = 0;
     bool white_albedo = false;

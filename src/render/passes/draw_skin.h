@@ -12,34 +12,34 @@
 namespace dermis::passes {
 
 /// For shaders that know their triangle: render/shaders/first_corner.glsl.
-inline gpu::BufferBinding first_corners(const Instance& instance, std::size_t number) {
-  return {&instance.asset->skin[number].first_corners};
+inline gpu::BufferBinding first_corners(const Head& head, std::size_t number) {
+  return {&head.asset->skin[number].first_corners};
 }
 
-/// Offers an instance, its skin mesh `number` and a material.
-inline void offer_skin(Bindings& bindings, const Instance& instance, std::size_t number,
+/// Offers a head, its skin mesh `number` and a material.
+inline void offer_skin(Bindings& bindings, const Head& head, std::size_t number,
                        const GpuMaterial& material) {
-  bindings.add("Head", instance.io);
-  offer_mesh(instance, number, bindings);
+  bindings.add("Head", head.io);
+  offer_mesh(head, number, bindings);
   material.offer(bindings);
 }
 
-/// Draws the parts of an instance's skin mesh `number`, as its asset counts them, for which
-/// pipeline_of(draw, material) is not null. The shaders get `bindings`, those of instance, mesh and material,
+/// Draws the parts of a head's skin mesh `number`, as its asset counts them, for which
+/// pipeline_of(draw, material) is not null. The shaders get `bindings`, those of head, mesh and material,
 /// and io_of(draw, material) as push constants. `indices`: as many as the mesh has, at the same places; null:
 /// those of the mesh.
 template <class PipelineOf, class IoOf = std::nullptr_t>
-void draw_skin(gpu::Cmd& cmd, const Instance& instance, std::size_t number, const Bindings& bindings,
+void draw_skin(gpu::Cmd& cmd, const Head& head, std::size_t number, const Bindings& bindings,
                const PipelineOf& pipeline_of, const IoOf& io_of = nullptr, gpu::BufferBinding indices = {}) {
-  const GpuMesh& mesh = instance.asset->skin[number];
+  const GpuMesh& mesh = head.asset->skin[number];
   if (!indices.buffer) indices = {&mesh.indices};
   for (const GpuDraw& draw : mesh.draws) {
-    const GpuMaterial& material = instance.look->material(draw.material);
+    const GpuMaterial& material = head.look->material(draw.material);
     const gpu::Pipeline* pipeline = pipeline_of(draw, material);
     if (!pipeline) continue;
 
     Bindings all = bindings;
-    offer_skin(all, instance, number, material);
+    offer_skin(all, head, number, material);
     all.bind(cmd, *pipeline);
     if constexpr (!std::is_null_pointer_v<IoOf>) cmd.push(*pipeline, io_of(draw, material));
     cmd.draw_indexed(indices, draw.index_count, draw.first_index);

@@ -7,7 +7,8 @@
 namespace dermis::setup {
 namespace {
 
-std::vector<glm::vec3> placed(const std::vector<glm::vec3>& points_m, const Similarity& world_from_asset) {
+std::vector<glm::vec3> placed(const std::vector<glm::vec3>& points_m,
+                              const scene::Similarity& world_from_asset) {
   std::vector<glm::vec3> out;
   out.reserve(points_m.size());
   std::transform(points_m.begin(), points_m.end(), std::back_inserter(out),
@@ -17,8 +18,8 @@ std::vector<glm::vec3> placed(const std::vector<glm::vec3>& points_m, const Simi
 
 }  // namespace
 
-Casters::Casters(const scene::AssetData& asset, const PosedAsset* posed, const Similarity& world_from_asset,
-                 bool deformed)
+Casters::Casters(const scene::AssetData& asset, const PosedAsset* posed,
+                 const scene::Similarity& world_from_asset, bool deformed)
     : sphere_(world_from_asset.sphere(posed ? posed->all.sphere : asset.casters)) {
   if (deformed) return;
   if (!posed) {

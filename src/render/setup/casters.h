@@ -17,7 +17,7 @@ class Casters {
  public:
   /// `posed`: of a head in a pose, else null. `deformed`: a host moves its vertices, which may leave the body
   /// between the corners; only its sphere is known.
-  Casters(const scene::AssetData& asset, const PosedAsset* posed, const Similarity& world_from_asset,
+  Casters(const scene::AssetData& asset, const PosedAsset* posed, const scene::Similarity& world_from_asset,
           bool deformed = false);
   Casters(const Casters&) = delete;
   Casters& operator=(const Casters&) = delete;

@@ -30,7 +30,7 @@ scene::Material dressed(scene::Material material, const PlacedInstance& instance
 }
 
 // Vertices of skin and of what has one copy are moved; shared meshes have their placements moved.
-void move(scene::Primitive& primitive, const Similarity& world_from_asset) {
+void move(scene::Primitive& primitive, const scene::Similarity& world_from_asset) {
   for (scene::Placement& placement : primitive.placements) {
     const glm::mat4x3 m = world_from_asset.matrix();
     const glm::dmat4 world(glm::dvec4(m[0], 0), glm::dvec4(m[1], 0), glm::dvec4(m[2], 0),

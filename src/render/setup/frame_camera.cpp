@@ -93,7 +93,7 @@ double reference_distance(const scene::AssetData& asset, const RenderSettings& s
 }
 
 double pixels_per_mm(const scene::AssetData& asset, const RenderSettings& s, const scene::Camera& camera,
-                     const Similarity& world_from_asset, const PosedAsset* posed) {
+                     const scene::Similarity& world_from_asset, const PosedAsset* posed) {
   if (camera.orthographic) {
     const double pixels = s.output.height * density_across(s, camera);
     return pixels / (2.0 * camera.ymag_m * asset.mm_per_unit) * double{world_from_asset.scale};
@@ -138,8 +138,8 @@ std::vector<int> paper_sides(const RenderSettings& s) {
   return sides;
 }
 
-bool in_view(const scene::AssetData& asset, const io::CameraIo& camera, const Similarity& world_from_asset,
-             const PosedAsset* posed) {
+bool in_view(const scene::AssetData& asset, const io::CameraIo& camera,
+             const scene::Similarity& world_from_asset, const PosedAsset* posed) {
   const scene::BoundingSphere sphere = world_from_asset.sphere(posed ? posed->all.sphere : asset.casters);
   const glm::vec4 centre(sphere.centre_m, 1);
   return std::all_of(std::begin(camera.planes), std::end(camera.planes),

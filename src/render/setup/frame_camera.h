@@ -27,7 +27,7 @@ double reference_distance(const scene::AssetData& asset, const RenderSettings& s
 /// small. Infinity if the eye is inside. A d_ref that the settings give stands for that of the picture.
 /// `posed`: of a head in a pose, whose box is that of the pose.
 double pixels_per_mm(const scene::AssetData& asset, const RenderSettings& settings,
-                     const scene::Camera& camera, const Similarity& world_from_asset,
+                     const scene::Camera& camera, const scene::Similarity& world_from_asset,
                      const PosedAsset* posed = nullptr);
 
 /// Returns the number of pixels across a sphere around all that casts shadows, where it is nearest; infinity
@@ -43,8 +43,8 @@ int paper_side(const scene::AssetData& asset, const RenderSettings& settings, do
 std::vector<int> paper_sides(const RenderSettings& settings);
 
 /// Returns whether any part of the head may lie in the picture: its sphere against the planes.
-bool in_view(const scene::AssetData& asset, const io::CameraIo& camera, const Similarity& world_from_asset,
-             const PosedAsset* posed = nullptr);
+bool in_view(const scene::AssetData& asset, const io::CameraIo& camera,
+             const scene::Similarity& world_from_asset, const PosedAsset* posed = nullptr);
 
 /// Returns pixels that hold all that a head may show, of a picture of `size` pixels. They hold the corners of
 /// a body around it, or of a cube around its sphere, and two pixels more.

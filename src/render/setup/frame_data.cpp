@@ -11,20 +11,12 @@
 
 namespace dermis::setup {
 
-io::InstanceIo instance_io(const Similarity& world_from_asset) {
-  return {.x_axis = world_from_asset.rotation[0],
-          .y_axis = world_from_asset.rotation[1],
-          .z_axis = world_from_asset.rotation[2],
-          .origin_m = world_from_asset.origin_m,
-          .scale = world_from_asset.scale};
-}
-
 namespace {
 
 int texels(std::uint64_t bytes) { return static_cast<int>(bytes / gpu::texel_bytes(gpu::texel_format)); }
 
 // Layers of the map that heads share number the matrices, too.
-io::LampsIo add_lamps(gpu::FrameMemory& memory, const Head& head) {
+io::LampsIo add_lamps(gpu::FrameMemory& memory, const passes::Head& head) {
   const int first_layer = static_cast<int>(head.first_shadow_layer);
   const gpu::BufferBinding lights = memory.add(std::span<const io::LightIo>(head.lights)),
                            matrices = memory.add(std::span<const glm::mat4>(head.shadow_from_world));
@@ -32,27 +24,10 @@ io::LampsIo add_lamps(gpu::FrameMemory& memory, const Head& head) {
           .shadow_matrices = texels(matrices.offset) - first_layer * texels(sizeof(glm::mat4))};
 }
 
-void place(passes::Instance& instance, gpu::FrameMemory& memory, const Head& head) {
-  instance.number = static_cast<std::uint32_t>(head.number);
-  instance.world_from_asset = head.world_from_asset.matrix();
-  instance.middle_m = head.middle_m;
-  const io::HeadIo io{.instance = instance_io(head.world_from_asset), .lamps = add_lamps(memory, head)};
-  instance.io = memory.add(std::span<const io::HeadIo>(&io, 1));
-  instance.map_side = head.detail.side;
-  instance.visible = head.visible;
-  instance.drawn = head.drawn;
-  instance.first_shadow_layer = head.first_shadow_layer;
-  instance.shadow_from_world = head.shadow_from_world;
-  instance.shadow_side = head.shadow_side;
-  instance.host_shadows = head.host_shadows;
-}
-
 }  // namespace
 
 passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
-                             const techniques::FrameOutputs& outputs,
-                             std::span<const passes::Instance> instances,
-                             const EnvironmentLight* environment) {
+                             const techniques::FrameOutputs& outputs, const EnvironmentLight* environment) {
   passes::FrameData data;
   data.camera = setup.frame.camera;
   data.frame_io = memory.add(std::span<const io::FrameIo>(&setup.frame, 1));
@@ -60,16 +35,19 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
   if (environment) data.environment = &environment->map;
   if (environment && environment->picture) data.environment_picture = &environment->picture;
 
-  for (const Head& head : setup.heads) {
-    if (head.drawn) data.heads = joined(data.heads, moved(head.area, setup.frame.picture_low));
-    passes::Instance& instance = data.instances.emplace_back(instances[head.instance]);
-    place(instance, memory, head);
-    instance.first_mesh = setup.plan.models[head.model].first_mesh;
-    if (!outputs.map_places.empty()) {
-      instance.map_places = outputs.map_places[data.instances.size() - 1];
-      instance.mapped_terms =
-          techniques::mapped_terms_of(setup.plan, setup.plan.models[head.model], head.detail);
-    }
+  data.heads = setup.heads;
+  for (std::size_t i = 0; i < data.heads.size(); ++i) {
+    passes::Head& head = data.heads[i];
+    const io::HeadIo io{.world_from_asset = passes::similarity_io(head.world_from_asset),
+                        .lamps = add_lamps(memory, head)};
+    head.io = memory.add(std::span<const io::HeadIo>(&io, 1));
+    if (head.drawn) data.with_heads = joined(data.with_heads, moved(head.area, setup.frame.picture_low));
+
+    const techniques::Model& model = setup.plan.models[head.model];
+    head.first_mesh = model.first_mesh;
+    if (outputs.map_places.empty()) continue;
+    head.map_places = outputs.map_places[i];
+    head.mapped_terms = techniques::mapped_terms_of(setup.plan, model, head.detail);
   }
   return data;
 }

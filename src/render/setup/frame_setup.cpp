@@ -61,7 +61,7 @@ const HostShadow* host_shadow(const HostSetup* host, std::size_t light) {
   return found == host->shadows.end() ? nullptr : &*found;
 }
 
-bool is_deformed(const HostSetup* host, const Head& head) {
+bool is_deformed(const HostSetup* host, const passes::Head& head) {
   return host &&
          std::find(host->deformed.begin(), host->deformed.end(), head.instance) != host->deformed.end();
 }
@@ -80,15 +80,14 @@ std::uint32_t shadow_side(const passes::ShadowBounds& bounds, const RenderSettin
 }
 
 // Returns the instances, or the row of camera.heads of a single one.
-std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
-  std::vector<Head> heads;
-  const auto add = [&](const Similarity& world_from_asset, std::size_t instance) -> Head& {
-    return heads.emplace_back(Head{.number = static_cast<int>(heads.size()),
-                                   .instance = instance,
-                                   .world_from_asset = world_from_asset,
-                                   .lights = {},
-                                   .shadow_from_world = {},
-                                   .shadow_side = 0});
+std::vector<passes::Head> placed_heads(const PlacedScene& scene, const RenderSettings& s) {
+  std::vector<passes::Head> heads;
+  const auto add = [&](const scene::Similarity& world_from_asset, std::size_t instance) -> passes::Head& {
+    passes::Head& head = heads.emplace_back();
+    head.number = static_cast<std::uint32_t>(heads.size() - 1);
+    head.instance = instance;
+    head.world_from_asset = world_from_asset;
+    return head;
   };
   if (s.camera.heads == 1) {
     for (const PlacedInstance& instance : scene.instances) add(instance.world_from_asset, heads.size());
@@ -106,8 +105,9 @@ std::vector<Head> placed_heads(const PlacedScene& scene, const RenderSettings& s
 }
 
 // Fits the shadow maps of a head, which are as large as it shows.
-void set_up_shadows(Head& head, const std::vector<scene::Light>& lights, const passes::ShadowBounds& bounds,
-                    const RenderSettings& s, const scene::Camera& camera, const HostSetup* host) {
+void set_up_shadows(passes::Head& head, const std::vector<scene::Light>& lights,
+                    const passes::ShadowBounds& bounds, const RenderSettings& s, const scene::Camera& camera,
+                    const HostSetup* host) {
   head.shadow_side = shadow_side(bounds, s, camera);
   head.lights.clear();
   head.shadow_from_world.clear();
@@ -143,7 +143,7 @@ void set_up_camera(FrameSetup& setup, const PlacedScene& scene, const RenderSett
   setup.d_ref = reference_distance(*scene.instances.front().asset, s, camera);
   const bool skip = s.quality.skip_unseen_heads.value_or(s.quality.cull || s.quality.depth || s.quality.clip);
 
-  for (Head& head : setup.heads) {
+  for (passes::Head& head : setup.heads) {
     const PlacedInstance& instance = scene.instances[head.instance];
     const scene::AssetData& asset = *instance.asset;
     const PosedAsset* posed = instance.posed.get();
@@ -174,27 +174,28 @@ void sort_heads(FrameSetup& setup, const RenderSettings& s) {
       s.output.show == "picture" && (plan.host || !blends || setup.heads.size() <= plan.heads_per_batch);
 
   // The map that `show` names is of the last head: the nearest that has something to show.
-  const auto shows = [&](const Head& head) { return head.visible && plan.models[head.model].meshes > 0; };
+  const auto shows = [&](const passes::Head& head) {
+    return head.visible && plan.models[head.model].meshes > 0;
+  };
   const bool shows_picture = s.output.show == "picture";
-  const auto distance = [&](const Head& head) {
+  const auto distance = [&](const passes::Head& head) {
     return glm::distance(head.middle_m, setup.frame.camera.eye_m);
   };
-  std::sort(setup.heads.begin(), setup.heads.end(), [&](const Head& a, const Head& b) {
+  std::sort(setup.heads.begin(), setup.heads.end(), [&](const passes::Head& a, const passes::Head& b) {
     if (by_model && a.model != b.model) return a.model < b.model;
     if (!shows_picture && shows(a) != shows(b)) return shows(b);
     return std::pair(-distance(a), a.number) < std::pair(-distance(b), b.number);
   });
 
   setup.plan.heads.clear();
-  for (const Head& head : setup.heads) setup.plan.heads.push_back(head.model);
+  for (const passes::Head& head : setup.heads) setup.plan.heads.push_back(head.model);
 }
 
 // Heads of one batch have sets of shadow maps one after the other. Those that last have the place of their
 // head, whatever the order in which heads are drawn.
-void place_shadows(std::vector<Head>& heads, const techniques::FrameSettings& plan) {
+void place_shadows(std::vector<passes::Head>& heads, const techniques::FrameSettings& plan) {
   for (std::uint32_t i = 0; i < heads.size(); ++i) {
-    const std::uint32_t set =
-        plan.keep_shadows ? static_cast<std::uint32_t>(heads[i].number) : i % plan.heads_per_batch;
+    const std::uint32_t set = plan.keep_shadows ? heads[i].number : i % plan.heads_per_batch;
     heads[i].first_shadow_layer = set * plan.shadow_layers;
     for (io::LightIo& light : heads[i].lights) light.shadow_layer += heads[i].first_shadow_layer;
   }
@@ -274,7 +275,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
   plan.light_samples = static_cast<std::uint32_t>(s.quality.light_samples);
   const auto most = static_cast<std::uint32_t>(s.quality.shadow_size);
   plan.shadow_size = every_view ? most : techniques::side_of(0, most);
-  for (const Head& head : setup.heads) {
+  for (const passes::Head& head : setup.heads) {
     if (head.visible) plan.shadow_size = std::max(plan.shadow_size, head.shadow_side);
     plan.shadow_layers =
         std::max(plan.shadow_layers, static_cast<std::uint32_t>(head.shadow_from_world.size()));
@@ -319,7 +320,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
   if (!setup.technique->uses_profile) setup.gaussians = 0;
 
   PoolHeads heads{.count = static_cast<std::uint32_t>(setup.heads.size())};
-  for (const Head& head : setup.heads)
+  for (const passes::Head& head : setup.heads)
     heads.most_side = std::max(heads.most_side, every_view ? plan.map_size : head.detail.side);
   set_up_pool(plan, *setup.technique, heads, s, device);
 }
@@ -354,21 +355,15 @@ void warn_coarse(const PlacedScene& scene, const FrameSetup& setup) {
       asset.name, asset.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size, worst->map_size);
 }
 
-std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings) {
-  std::vector<techniques::DrawnHead> heads;
+std::vector<passes::Head> every_size(const FrameSetup& setup, const RenderSettings& settings) {
+  std::vector<passes::Head> heads;
   for (std::uint32_t model = 0; model < setup.plan.models.size(); ++model)
-    for (const std::uint32_t side : map_sides(setup.plan, settings))
-      heads.push_back({.model = model, .detail = {.side = side}});
+    for (const std::uint32_t side : map_sides(setup.plan, settings)) {
+      passes::Head& head = heads.emplace_back();
+      head.model = model;
+      head.detail.side = side;
+    }
   return heads;
-}
-
-std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup) {
-  std::vector<techniques::DrawnHead> drawn;
-  for (std::uint32_t i = 0; i < setup.heads.size(); ++i) {
-    const Head& head = setup.heads[i];
-    if (head.visible) drawn.push_back({.model = head.model, .detail = head.detail, .head = i});
-  }
-  return drawn;
 }
 
 FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const DeviceTraits& device,
@@ -390,7 +385,7 @@ FrameSetup set_up(const PlacedScene& scene, const RenderSettings& s, const Devic
   set_up_models(setup, scene, s);
   if (host) {
     setup.plan.host = host->part;
-    for (Head& head : setup.heads)
+    for (passes::Head& head : setup.heads)
       head.drawn =
           std::find(host->not_drawn.begin(), host->not_drawn.end(), head.instance) == host->not_drawn.end();
   }

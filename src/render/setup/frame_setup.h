@@ -18,24 +18,6 @@ namespace dermis::setup {
 /// before anything is made or read for them.
 void check_settings(const RenderSettings& settings);
 
-/// A head of a frame: an instance, or one of a row of them.
-struct Head {
-  int number = 0;            ///< among the heads of the scene
-  std::size_t instance = 0;  ///< of the scene
-  Similarity world_from_asset;
-  std::uint32_t model = 0;  ///< of the plan
-  glm::vec3 middle_m{0};    ///< of its skin
-  std::vector<io::LightIo> lights;
-  std::uint32_t first_shadow_layer = 0;
-  std::vector<glm::mat4> shadow_from_world;
-  std::uint32_t shadow_side = 0;                    ///< of its own shadow maps, texels
-  std::vector<passes::HostShadowMap> host_shadows;  ///< one per layer; empty: there are none
-  techniques::MapDetail detail;                     ///< T, and pixels per mm
-  bool visible = true;
-  bool drawn = true;       ///< false: a host draws it
-  passes::PixelArea area;  ///< of the picture: pixels outside do not show it
-};
-
 /// A skin mesh of the plan.
 struct MeshSource {
   std::size_t instance = 0;  ///< one of those that have it
@@ -45,8 +27,8 @@ struct MeshSource {
 struct FrameSetup {
   const techniques::Technique* technique = nullptr;
   techniques::FrameSettings plan;
-  std::vector<Head> heads;         ///< in the order of the plan
-  std::vector<MeshSource> meshes;  ///< one for each of FrameSettings::skin
+  std::vector<passes::Head> heads;  ///< in the order of the plan, without what lies on a device
+  std::vector<MeshSource> meshes;   ///< one for each of FrameSettings::skin
   io::FrameIo frame{};
   double d_ref = 0;  ///< see reference_distance()
   int gaussians = 0;
@@ -55,10 +37,7 @@ struct FrameSetup {
 };
 
 /// Returns a head of each model for each size of map that one may have, large to small.
-std::vector<techniques::DrawnHead> every_size(const FrameSetup& setup, const RenderSettings& settings);
-
-/// Returns the heads that are drawn.
-std::vector<techniques::DrawnHead> drawn_heads(const FrameSetup& setup);
+std::vector<passes::Head> every_size(const FrameSetup& setup, const RenderSettings& settings);
 
 /// A shadow map of a host in place of one of ours.
 struct HostShadow {

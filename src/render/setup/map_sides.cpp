@@ -31,12 +31,12 @@ double before_close_ups(const techniques::FrameSettings& plan, const techniques:
 
 // Returns T_max of a model and its finest pixels: those of a near head, or of a close-up in this frame. So a
 // plan changes where a head comes closer than that, and not before; other models change nothing for it.
-techniques::MapDetail finest_of(const FrameSetup& setup, std::uint32_t number, std::uint32_t limit) {
+passes::MapDetail finest_of(const FrameSetup& setup, std::uint32_t number, std::uint32_t limit) {
   const techniques::Model& model = setup.plan.models[number];
-  techniques::MapDetail finest{0, 0};
+  passes::MapDetail finest{0, 0};
   for (std::uint32_t mesh = model.first_mesh; mesh < model.first_mesh + model.meshes; ++mesh)
     finest.side = std::max(finest.side, techniques::near_side(setup.plan.skin[mesh], limit));
-  for (const Head& head : setup.heads) {
+  for (const passes::Head& head : setup.heads) {
     if (head.model != number || !head.visible) continue;
     finest.side = std::max(finest.side, head.detail.side);
     finest.pixels_per_mm = std::max(finest.pixels_per_mm, head.detail.pixels_per_mm);
@@ -51,15 +51,15 @@ void hold_what_shows(FrameSetup& setup, std::uint32_t limit, bool every_view) {
 
   for (std::uint32_t number = 0; number < plan.models.size(); ++number) {
     const techniques::Model& model = plan.models[number];
-    const techniques::MapDetail finest = finest_of(setup, number, limit);
-    for (Head& head : setup.heads)
+    const passes::MapDetail finest = finest_of(setup, number, limit);
+    for (passes::Head& head : setup.heads)
       if (head.model == number) head.detail.side = std::min(head.detail.side, finest.side);
     if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
 
     for (techniques::PlannedMesh& part : std::span(plan.skin).subspan(model.first_mesh, model.meshes)) {
       part.map_size = finest.side;
       part.first_mapped = techniques::first_mapped(part, finest);
-      const auto is_coarse = [&](const Head& head) {
+      const auto is_coarse = [&](const passes::Head& head) {
         return head.model == number && head.visible && techniques::entered_share(part, head.detail) > 0;
       };
       part.reads_entered = part.first_mapped > 0 && part.mapped_count() < MOST_TERMS &&
@@ -81,8 +81,8 @@ void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSet
   const techniques::FrameSettings& plan = setup.plan;
   if (plan.skin.empty() || !setup.technique->has_light_maps) return;
 
-  for (Head& head : setup.heads) {
-    techniques::MapDetail& detail = head.detail;
+  for (passes::Head& head : setup.heads) {
+    passes::MapDetail& detail = head.detail;
     const techniques::Model& model = plan.models[head.model];
     // The plan of a host must serve every view: it has no close-ups.
     if (plan.host && plan.mixes())

@@ -136,7 +136,7 @@ void set_up_models(FrameSetup& setup, const PlacedScene& scene, const RenderSett
   std::map<std::pair<const scene::AssetData*, std::optional<std::size_t>>, std::uint32_t> first_unwraps;
   std::uint32_t unwraps = 0;
 
-  for (Head& head : setup.heads) {
+  for (passes::Head& head : setup.heads) {
     const PlacedInstance& instance = scene.instances[head.instance];
     const ModelKey key{.asset = instance.asset.get(),
                        .scale = head.world_from_asset.scale,

@@ -3,7 +3,7 @@
 // where a texel is culled if its interpolated normal is more than 105 degrees from the (constant) view axis.
 // On a coarse mesh that culls visible texels, so here whole triangles are culled. All their vertex normals
 // are more than 105 degrees from the true direction to the camera, and the triangle faces away. Needs
-// vertex_pull.glsl, skin_vertex.glsl, instance.glsl, frame.glsl and `indices`.
+// vertex_pull.glsl, skin_vertex.glsl, head.glsl, frame.glsl and `indices`.
 const float cos_105_degrees = -0.2588190451;
 
 bool faces_away(uint first) {

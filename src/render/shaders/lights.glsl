@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that arrives at a point, with its shadow. Needs instance.glsl, material.glsl and
+// Light that arrives at a point, with its shadow. Needs head.glsl, material.glsl and
 // sampler2DArray `shadow_depths` without comparison.
 #extension GL_EXT_samplerless_texture_functions : require
 layout(binding = 5) uniform utextureBuffer Lamps;  // of all heads, see LampsIo

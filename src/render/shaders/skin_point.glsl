@@ -4,7 +4,7 @@
 // not storage: some software devices read zeros from storage in helper invocations, which breaks texture
 // derivatives.
 layout(binding = 2, scalar) uniform Material { MaterialIo material; };
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 layout(binding = 22) uniform sampler2DArray shadow_depths;
 layout(binding = 7) uniform sampler2D directional_albedo;

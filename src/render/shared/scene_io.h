@@ -123,14 +123,14 @@ struct FrameIo {
 };
 
 // Place of an instance of an asset in the world: turned, scaled, then moved.
-struct InstanceIo {
+struct SimilarityIo {
   vec3 x_axis, y_axis, z_axis;  // unit: images of the asset's axes
   vec3 origin_m;                // image of its origin
   float scale;                  // > 0
 };
 // Data that differ from head to head, in one buffer: devices may have no more than 32 bindings.
 struct HeadIo {
-  InstanceIo instance;
+  SimilarityIo world_from_asset;
   LampsIo lamps;
 };
 
@@ -142,6 +142,6 @@ static_assert(sizeof(dermis::io::VertexExtraIo) == 8 * 4);
 static_assert(sizeof(dermis::io::SkinVertexIo) == 8 * 4);
 static_assert(sizeof(dermis::io::MapIo) == 40);
 static_assert(sizeof(dermis::io::LightIo) == 16 * LIGHT_TEXELS);
-static_assert(sizeof(dermis::io::InstanceIo) == 13 * 4);
+static_assert(sizeof(dermis::io::SimilarityIo) == 13 * 4);
 #endif
 #endif

@@ -72,14 +72,6 @@ struct PlannedMesh {
   bool operator==(const PlannedMesh&) const = default;
 };
 
-/// Fineness of the light maps and of the pixels of a head.
-struct MapDetail {
-  std::uint32_t side = 0;  ///< T, texels
-  /// of the asset, where the head is nearest
-  double pixels_per_mm = std::numeric_limits<double>::infinity();
-  bool operator==(const MapDetail&) const = default;
-};
-
 /// Instances of an asset that have the same profile and scale.
 struct Model {
   std::uint32_t first_mesh = 0, meshes = 0;  ///< of FrameSettings::skin
@@ -90,7 +82,7 @@ struct Model {
 /// Skips what is not seen. Based on: [JG08] sec. 3 to 5.
 struct Optimise {
   bool cull = false;  ///< leaves out triangles that face away from the camera
-  /// uses only as much of the maps as the head's distance needs: changes Instance::map_side, and the plan
+  /// uses only as much of the maps as the head's distance needs: changes MapDetail::side, and the plan
   /// where a head comes close (sides_by_need.h)
   bool depth = false;
   bool clip = false;  ///< leaves out what lies outside the picture and a margin

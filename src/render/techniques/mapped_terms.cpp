@@ -30,7 +30,7 @@ double smoothstep(double low, double high, double x) {
 }
 
 // Returns the part of a term that is read from the map.
-float mapped_share(const PlannedMesh& part, double sigma_mm, const MapDetail& detail) {
+float mapped_share(const PlannedMesh& part, double sigma_mm, const passes::MapDetail& detail) {
   if (sigma_mm * part.mean_uv_per_mm * detail.side < mapped_sigma_texels) return 0;
   const double over = sigma_mm * detail.pixels_per_mm / least_sigma_pixels(part, sigma_mm) - 1;
   return static_cast<float>(smoothstep(0, 0.5, over));
@@ -50,25 +50,26 @@ double least_sigma_pixels(const PlannedMesh& part, double sigma_mm) {
   return widest ? 0.35 : 0.6;
 }
 
-float entered_share(const PlannedMesh& part, const MapDetail& detail) {
+float entered_share(const PlannedMesh& part, const passes::MapDetail& detail) {
   const double sigma_texels = pixel_sigma / detail.pixels_per_mm * part.mean_uv_per_mm * detail.side;
   const double most = smoothstep(mapped_sigma_texels, 1.5 * mapped_sigma_texels, sigma_texels);
   return static_cast<float>(most_entered_share * most);
 }
 
-std::uint32_t first_mapped(const PlannedMesh& part, const MapDetail& finest) {
+std::uint32_t first_mapped(const PlannedMesh& part, const passes::MapDetail& finest) {
   std::uint32_t first = 0;
   for (const Gaussian& term : part.profile.terms) {
     const double sigma_mm = std::sqrt(term.variance_mm2);
     const bool wide = sigma_mm >= part.wide_mm;
-    const MapDetail detail{finest.side,
-                           wide ? std::numeric_limits<double>::infinity() : finest.pixels_per_mm};
+    const passes::MapDetail detail{finest.side,
+                                   wide ? std::numeric_limits<double>::infinity() : finest.pixels_per_mm};
     if (mapped_share(part, sigma_mm, detail) == 0) ++first;
   }
   return std::min(first, static_cast<std::uint32_t>(part.profile.terms.size()) - 1);
 }
 
-passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t mesh, const MapDetail& detail) {
+passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t mesh,
+                                 const passes::MapDetail& detail) {
   passes::MappedTerms terms;
   if (!settings.mixes()) return terms;
 
@@ -101,7 +102,7 @@ passes::MappedTerms mapped_terms(const FrameSettings& settings, std::uint32_t me
 }
 
 std::vector<passes::MappedTerms> mapped_terms_of(const FrameSettings& settings, const Model& model,
-                                                 const MapDetail& detail) {
+                                                 const passes::MapDetail& detail) {
   std::vector<passes::MappedTerms> terms;
   for (std::uint32_t i = 0; i < model.meshes; ++i)
     terms.push_back(mapped_terms(settings, model.first_mesh + i, detail));
@@ -122,7 +123,7 @@ std::size_t direct_steps(const FrameSettings& settings, const PlannedMesh& part)
   return std::max<std::size_t>(steps, 1);
 }
 
-int mapped_count(const FrameSettings& settings, std::uint32_t mesh, const MapDetail& detail) {
+int mapped_count(const FrameSettings& settings, std::uint32_t mesh, const passes::MapDetail& detail) {
   const passes::MappedTerms terms = mapped_terms(settings, mesh, detail);
   if (!terms.any) return 0;
   return static_cast<int>(settings.skin[mesh].mapped_count() - terms.first_read);

@@ -35,7 +35,7 @@ namespace dermis::techniques {
 using frame::Together;
 
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                          std::span<const DrawnHead>) {
+                          std::span<const passes::Head>) {
   return {.skin_pixels = counters[counter_skin_pixels],
           .optimise = {},
           .mask = {},
@@ -48,7 +48,7 @@ FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings)
   return out;
 }
 
-std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const DrawnHead>) { return {}; }
+std::vector<GutterSize> no_gutters(const FrameSettings&, std::span<const passes::Head>) { return {}; }
 
 std::string label_part(std::string_view what, const FrameSettings& settings, std::uint32_t mesh) {
   return settings.skin.size() > 1 ? fmt::format("{} part {}", what, mesh) : std::string(what);
@@ -238,8 +238,8 @@ void Screen::add_scattered(frame::TextureId blurred, const passes::ScreenSurface
 bool Screen::take_clear() { return !std::exchange(cleared_, true); }
 
 void Screen::add_shadows(const Batch& batch) {
-  passes::Shadow::Settings shadow{.first_instance = batch.first_head,
-                                  .instances = batch.heads,
+  passes::Shadow::Settings shadow{.first_head = batch.first_head,
+                                  .heads = batch.heads,
                                   .layers = std::max(settings_.shadow_layers, 1u),
                                   .host_maps = settings_.host && settings_.host->shadows};
   const bool apart = entering_depth_.valid();
@@ -290,8 +290,8 @@ void Screen::add_surfaces(const Batch& batch) {
   // A scene without any skin still needs its targets cleared.
   if (any_head(batch, &Model::has_surfaces) || clear)
     plan_->add<passes::Surface>(label("surfaces", settings_, batch), {shadow_, colour(), depth_},
-                                {.first_instance = batch.first_head,
-                                 .instances = batch.heads,
+                                {.first_head = batch.first_head,
+                                 .heads = batch.heads,
                                  .samples = settings_.samples,
                                  .format = settings_.picture_format(),
                                  .clear = take_clear(),
@@ -303,8 +303,8 @@ void Screen::add_surfaces(const Batch& batch) {
 void Screen::add_blended(const Batch& batch) {
   if (!any_head(batch, &Model::has_blended) || !settings_.draws_picture()) return;
 
-  passes::Surface::Settings blended{.first_instance = batch.first_head,
-                                    .instances = batch.heads,
+  passes::Surface::Settings blended{.first_head = batch.first_head,
+                                    .heads = batch.heads,
                                     .samples = settings_.samples,
                                     .format = settings_.picture_format(),
                                     .clear = layered() && take_clear(),

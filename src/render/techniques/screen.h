@@ -126,8 +126,8 @@ class Screen {
 /// Technique::maps, report and gutters for techniques without light maps.
 FrameOutputs screen_maps(passes::FramePlan& plan, const FrameSettings& settings);
 FrameReport screen_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                          std::span<const DrawnHead> drawn);
-std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn);
+                          std::span<const passes::Head> heads);
+std::vector<GutterSize> no_gutters(const FrameSettings& settings, std::span<const passes::Head> heads);
 
 /// Draws labels and no light: FrameSettings::picture is false. Not one of techniques().
 extern const Technique labels_alone;

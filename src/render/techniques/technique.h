@@ -52,7 +52,7 @@ struct FrameOutputs {
   std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
   /// That grow with the heads and skin meshes of a batch; render/techniques/memory.h sums them.
   std::vector<frame::TextureId> light_maps, shadow_maps;
-  /// Where the light of each head and of each of its skin meshes lies, for passes::Instance; none without
+  /// Where the light of each head and of each of its skin meshes lies, for passes::Head; none without
   /// light maps.
   std::vector<std::vector<passes::MapPlace>> map_places;
 };
@@ -66,13 +66,6 @@ struct FrameReport {
   std::uint64_t irradiance_texels = 0, convolved_texels = 0, launched = 0;
   std::uint64_t unshaded_reads = 0, transmission_misses = 0;
   std::uint64_t light_reads = 0;  ///< taps over light maps at the mean density of unwraps; 0: not counted
-};
-
-/// A head that a frame draws.
-struct DrawnHead {
-  std::uint32_t model = 0;
-  MapDetail detail;
-  std::uint32_t head = 0;  ///< among FrameSettings::heads; has no meaning for Technique::gutters
 };
 
 /// Gutters that a frame reads: those of one skin mesh, for light maps of side x side texels.
@@ -113,13 +106,13 @@ struct Technique {
   FrameOutputs (*maps)(passes::FramePlan& plan, const FrameSettings& settings);
 
   /// Returns what a frame of these settings has computed. `counters`: as read back from
-  /// FrameOutputs::counters.
+  /// FrameOutputs::counters; `heads` as FrameSettings::heads has them.
   FrameReport (*report)(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                        std::span<const DrawnHead> drawn);
+                        std::span<const passes::Head> drawn);
 
-  /// Returns the gutters that must be there before such a frame is drawn: passes::GpuAsset makes them. May
-  /// name one twice.
-  std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const DrawnHead> drawn);
+  /// Returns the gutters that must be there before a frame of these heads is drawn: passes::GpuAsset makes
+  /// them. May name one twice.
+  std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const passes::Head> drawn);
 };
 
 /// Returns all techniques, in the order in which users see them; the first is the default.

@@ -58,10 +58,10 @@ class Paint {
     cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
 
     passes::Bindings bindings;
-    frame.instances[0].asset->skin[0].offer(bindings);
+    frame.heads[0].asset->skin[0].offer(bindings);
     bindings.bind(cmd, *pipeline_);
     cmd.push(*pipeline_, settings.io);
-    const passes::GpuMesh& mesh = frame.instances[0].asset->skin[0];
+    const passes::GpuMesh& mesh = frame.heads[0].asset->skin[0];
     for (const passes::GpuDraw& draw : mesh.draws)
       cmd.draw_indexed({&mesh.indices}, draw.index_count, draw.first_index);
     cmd.end_rendering();
@@ -159,12 +159,12 @@ ScatterProfile profile_of(const Experiment& e) {
   return profile;
 }
 
-passes::Instance instance_of(const passes::GpuAsset& scene, const passes::GpuLook& look, std::uint32_t side) {
-  passes::Instance instance;
-  instance.asset = &scene;
-  instance.look = &look;
-  instance.map_side = side;
-  return instance;
+passes::Head head_of(const passes::GpuAsset& asset, const passes::GpuLook& look, std::uint32_t side) {
+  passes::Head head;
+  head.asset = &asset;
+  head.look = &look;
+  head.detail.side = side;
+  return head;
 }
 
 }  // namespace
@@ -223,12 +223,12 @@ Result run(const Experiment& e) {
   }
 
   passes::FrameData data;
-  data.instances = {instance_of(gpu_asset, look, side)};
+  data.heads = {head_of(gpu_asset, look, side)};
   std::optional<Moved> moved;
   if (e.pose) {
     gpu_asset.make_rig(bench()->device, e.scene, skin);
     moved.emplace(bench()->device, gpu_asset, *e.pose);
-    data.instances[0].posed = &moved->shape;
+    data.heads[0].posed = &moved->shape;
     if (!e.keep_metric) data.moves = {moved->move};
   }
 

@@ -73,11 +73,12 @@ class Frames {
   void draw(const RenderSettings& settings) {
     setup_ = setup::set_up_alone(asset_, settings);
     for (const techniques::GutterSize& size :
-         setup_.technique->gutters(setup_.plan, setup::drawn_heads(setup_)))
+         setup_.technique->gutters(setup_.plan, setup_.heads))
       scene_->make_gutters(bench()->device, size.mesh, asset_->skin[size.mesh], size.side, size.width_texels);
     memory_.clear();
-    const passes::Instance instance{.asset = scene_.get(), .look = &look_, .sky = {}};
-    passes::FrameData data = setup::frame_data(memory_, setup_, outputs_, std::span(&instance, 1), nullptr);
+    passes::FrameData data = setup::frame_data(memory_, setup_, outputs_, nullptr);
+    data.heads.front().asset = scene_.get();
+    data.heads.front().look = &look_;
     data.kept_texels = &kept_;
     drawn_before_ = kept_.drawn();
     memory_.upload();
@@ -105,7 +106,7 @@ class Frames {
     const auto side = static_cast<std::size_t>(setup_.heads[0].detail.side);
     std::vector<bool> is_gutter(side * side);
     for (const techniques::GutterSize& size :
-         setup_.technique->gutters(setup_.plan, setup::drawn_heads(setup_))) {
+         setup_.technique->gutters(setup_.plan, setup_.heads)) {
       if (size.mesh != 0 || size.side != side) continue;
       const passes::GutterList list =
           passes::gutter_list(asset_->skin[0], static_cast<int>(side), size.width_texels);
@@ -118,7 +119,7 @@ class Frames {
     const auto counters = gpu::read_back(bench()->device, executor_->resources().buffer(outputs_.counters));
     std::vector<std::uint32_t> counts(counters.size() / 4);
     std::memcpy(counts.data(), counters.data(), counters.size());
-    return setup_.technique->report(setup_.plan, counts, setup::drawn_heads(setup_));
+    return setup_.technique->report(setup_.plan, counts, setup_.heads);
   }
 
   /// Whether the last frame has drawn the map of texels.

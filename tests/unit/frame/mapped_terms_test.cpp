@@ -110,7 +110,7 @@ TEST(MappedTerms, FadeBeforeTheyAreLeftOut) {
   const FrameSettings s = like_the_scan();
   std::array<float, 2> before{1, 1};
   for (double pixels_per_mm = 3; pixels_per_mm > 0.01; pixels_per_mm /= 1.01) {
-    const MapDetail detail{side_by_need(s, s.models[0], pixels_per_mm, s.map_size), pixels_per_mm};
+    const passes::MapDetail detail{side_by_need(s, s.models[0], pixels_per_mm, s.map_size), pixels_per_mm};
     const passes::MappedTerms terms = mapped_terms(s, 0, detail);
     for (std::size_t i = 0; i < 2; ++i) {
       const float share = terms.any ? terms.shares[i] : 0;
@@ -170,13 +170,13 @@ TEST(MappedTerms, TheChainStartsWithinReachOfOneKernel) {
 TEST(MappedTerms, NoGuttersAreMadeForMapsThatAreNotRead) {
   const FrameSettings s = like_the_scan();
   const Technique& technique = find_technique("texture-space");
-  const std::array far{DrawnHead{.detail = {.side = 96}}, DrawnHead{.detail = {.side = 32}}};
+  const std::array far{passes::Head{.detail = {.side = 96}}, passes::Head{.detail = {.side = 32}}};
   const std::vector<GutterSize> none = technique.gutters(s, far);
   ASSERT_EQ(none.size(), 1u);
   EXPECT_EQ(none.front().side, 512u) << "the stretch map alone";
 
   // A head that reads the widest term alone blurs by it at once: three sigma, and two texels.
-  const std::array one_term{DrawnHead{.detail = {.side = 256}}};
+  const std::array one_term{passes::Head{.detail = {.side = 256}}};
   const std::vector<GutterSize> made = technique.gutters(s, one_term);
   ASSERT_EQ(made.size(), 2u);
   EXPECT_EQ(made.back().width_texels, static_cast<int>(std::ceil(3 * std::sqrt(7.41) * 2.5 / 4)) + 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The buffers of an instance as it stands: those of its asset, those that a host moves, or those of its pose.
+// The buffers of a head as it stands: those of its asset, those that a host moves, or those of its pose.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace dermis::passes {
 
-/// Offers skin mesh `number` of an instance, as its asset counts them: what GpuMesh::offer() does.
-void offer_mesh(const Instance& instance, std::size_t number, Bindings& bindings);
+/// Offers skin mesh `number` of a head, as its asset counts them: what GpuMesh::offer() does.
+void offer_mesh(const Head& head, std::size_t number, Bindings& bindings);
 
 /// Returns the placements of a page of its surfaces, PlacementIo[].
-gpu::BufferBinding placements_of(const Instance& instance, std::uint32_t page);
+gpu::BufferBinding placements_of(const Head& head, std::uint32_t page);
 
 /// Offers a page of its surfaces: what GpuSurfaces::offer() does.
-void offer_page(const Instance& instance, std::uint32_t page, Bindings& bindings);
+void offer_page(const Head& head, std::uint32_t page, Bindings& bindings);
 
 }  // namespace dermis::passes

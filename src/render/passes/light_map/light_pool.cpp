@@ -10,24 +10,24 @@ VkRect2D UsedSquare::area() const {
 }
 
 MappedTerms terms_of(const FrameData& frame, const MapSquare& square) {
-  const std::vector<MappedTerms>& terms = instance_of(frame, square).mapped_terms;
+  const std::vector<MappedTerms>& terms = head_of(frame, square).mapped_terms;
   return terms.empty() ? MappedTerms{} : terms[mesh_in_asset(frame, square)];
 }
 
 bool holds_light(const FrameData& frame, const MapSquare& square) {
-  return instance_of(frame, square).visible && terms_of(frame, square).any;
+  return head_of(frame, square).visible && terms_of(frame, square).any;
 }
 
 UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
-  const Instance& instance = instance_of(frame, square);
+  const Head& head = head_of(frame, square);
   UsedSquare used{square};
-  used.side = instance.map_side;
-  if (instance.map_places.empty()) return used;
+  used.side = head.detail.side;
+  if (head.map_places.empty()) return used;
 
-  const MapPlace& place = instance.map_places[mesh_in_asset(frame, square)];
+  const MapPlace& place = head.map_places[mesh_in_asset(frame, square)];
   used.index = place.index;
-  used.origin = place.cell * place.side;
-  DERMIS_ASSERT_LE(used.side, place.side);
+  used.origin = place.origin;
+  DERMIS_ASSERT_LE(used.side, place.square_side);
   return used;
 }
 

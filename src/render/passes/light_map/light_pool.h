@@ -15,18 +15,18 @@
 namespace dermis::passes {
 
 /// Light of one skin mesh of one head. Each frame sets its position in the maps and the used part of its
-/// square: Instance::map_places, Instance::map_side.
+/// square: Head::map_places, Head::detail.
 struct MapSquare {
   std::uint32_t head = 0;  ///< of the frame
   std::uint32_t mesh = 0;  ///< among the skin meshes of the plan
 };
 
-inline const Instance& instance_of(const FrameData& frame, const MapSquare& square) {
-  return frame.instances[square.head];
+inline const Head& head_of(const FrameData& frame, const MapSquare& square) {
+  return frame.heads[square.head];
 }
 /// Returns the number of the mesh among those of its asset.
 inline std::uint32_t mesh_in_asset(const FrameData& frame, const MapSquare& square) {
-  return square.mesh - instance_of(frame, square).first_mesh;
+  return square.mesh - head_of(frame, square).first_mesh;
 }
 
 /// Returns which terms are read from the maps of a square in this frame.

@@ -16,23 +16,22 @@ class LightingSamplers {
         table_(library.sampler({.filter = gpu::Filter::linear})),
         sky_(library.sampler({.filter = gpu::Filter::linear, .u = gpu::Address::repeat})) {}
 
-  void offer(Bindings& bindings, const FrameData& frame, const Instance& instance,
-             const gpu::Texture& shadow) const {
+  void offer(Bindings& bindings, const FrameData& frame, const Head& head, const gpu::Texture& shadow) const {
     bindings.add("Lamps", frame.lamps)
         .add("shadow_depths", gpu::SampledBinding{&shadow, depths_})
-        .add("directional_albedo", gpu::SampledBinding{&instance.asset->directional_albedo, table_})
+        .add("directional_albedo", gpu::SampledBinding{&head.asset->directional_albedo, table_})
         .add("environment_map",
-             gpu::SampledBinding{frame.environment ? frame.environment : &instance.asset->white(), sky_});
+             gpu::SampledBinding{frame.environment ? frame.environment : &head.asset->white(), sky_});
   }
-  /// Offers what skin mesh `number` of the instance's asset sees of the environment.
-  void offer_sky(Bindings& bindings, const Instance& instance, std::size_t number) const {
-    const GpuMesh& mesh = instance.asset->skin[number];
-    const bool sky = number < instance.sky.size();
-    const gpu::Texture *bent_normal = mesh.bent_normal ? &mesh.bent_normal : &instance.asset->white(),
-                       *light = sky ? &instance.sky[number].light : &instance.asset->white_layers();
+  /// Offers what skin mesh `number` of the head's asset sees of the environment.
+  void offer_sky(Bindings& bindings, const Head& head, std::size_t number) const {
+    const GpuMesh& mesh = head.asset->skin[number];
+    const bool sky = number < head.sky.size();
+    const gpu::Texture *bent_normal = mesh.bent_normal ? &mesh.bent_normal : &head.asset->white(),
+                       *light = sky ? &head.sky[number].light : &head.asset->white_layers();
 
-    if (sky && instance.posed && number < instance.posed->sky.size()) {
-      const PosedShape::Sky& turned = instance.posed->sky[number];
+    if (sky && head.posed && number < head.posed->sky.size()) {
+      const PosedShape::Sky& turned = head.posed->sky[number];
       bent_normal = &turned.bent_normal;
       light = &turned.light;
     }

@@ -6,10 +6,19 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 
 #include "render/shared/terms_io.h"
 
 namespace dermis::passes {
+
+/// Fineness of the light maps and of the pixels of a head.
+struct MapDetail {
+  std::uint32_t side = 0;  ///< T, texels
+  /// of the asset, where the head is nearest
+  double pixels_per_mm = std::numeric_limits<double>::infinity();
+  bool operator==(const MapDetail&) const = default;
+};
 
 /// A Gaussian of a profile whose light a map holds.
 struct MapTerm {

@@ -27,7 +27,7 @@ ScreenSurface make_screen_surface(FramePlan& plan, std::uint32_t width, std::uin
 }
 
 PixelArea area_of(const ScreenSurface& surface, const FrameData& frame) {
-  return surface.halved ? halved(frame.heads) : frame.heads;
+  return surface.halved ? halved(frame.with_heads) : frame.with_heads;
 }
 
 // Rows of the matrix: clip x is dot(x, position), and clip w the distance along the view (of a matrix of any

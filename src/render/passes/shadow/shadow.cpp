@@ -56,29 +56,29 @@ bool Shadow::casts(const GpuMaterial& material, bool cut_out) {
   return material.alpha_mode == (cut_out ? AssetAlpha::mask : AssetAlpha::opaque);
 }
 
-void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
+void Shadow::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Head& head, bool cut_out,
                        const io::ShadowIo& io) const {
   Bindings bindings;
-  bindings.add("Frame", frame.frame_io).add("Placements", instance.asset->unmoved);
-  for (std::size_t mesh = 0; mesh < instance.asset->skin.size(); ++mesh)
+  bindings.add("Frame", frame.frame_io).add("Placements", head.asset->unmoved);
+  for (std::size_t mesh = 0; mesh < head.asset->skin.size(); ++mesh)
     passes::draw_skin(
-        cmd, instance, mesh, bindings,
+        cmd, head, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) {
           return casts(material, cut_out) ? pipelines_[true][cut_out][material.mixed] : nullptr;
         },
         [&](const GpuDraw&, const GpuMaterial&) { return io; });
 }
 
-void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
+void Shadow::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Head& head, bool cut_out,
                            const io::ShadowIo& io) const {
-  const GpuSurfaces& surfaces = instance.asset->surfaces;
+  const GpuSurfaces& surfaces = head.asset->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
-    const GpuMaterial& material = instance.look->material(group.material);
+    const GpuMaterial& material = head.look->material(group.material);
     if (!casts(material, cut_out)) continue;
     const gpu::Pipeline& pipeline = *pipelines_[false][cut_out][false];
     Bindings bindings;
-    bindings.add("Frame", frame.frame_io).add("Head", instance.io);
-    offer_page(instance, group.page, bindings);
+    bindings.add("Frame", frame.frame_io).add("Head", head.io);
+    offer_page(head, group.page, bindings);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
     cmd.push(pipeline, io);
@@ -95,41 +95,40 @@ void Shadow::take_host_map(gpu::Cmd& cmd, const HostShadowMap& map, const gpu::T
 }
 
 void Shadow::draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                        const Instance& instance, std::uint32_t layer) const {
+                        const Head& head, std::uint32_t layer) const {
   const gpu::Texture& shadow = resources.texture(in.shadow);
-  const std::uint32_t target = instance.first_shadow_layer + layer;
+  const std::uint32_t target = head.first_shadow_layer + layer;
   std::vector<gpu::ColourTarget> colour;
   if (in.entering.valid())
     colour.push_back({.texture = &resources.texture(in.entering), .layer = target, .clear = no_light});
   // The map of a host takes the whole layer, and so does the light that enters there.
-  const bool whole_layer = layer < instance.host_shadows.size() && instance.host_shadows[layer].depth;
+  const bool whole_layer = layer < head.host_shadows.size() && head.host_shadows[layer].depth;
   const bool of_host = settings.host_maps && whole_layer;
-  const std::uint32_t side = whole_layer ? shadow.desc().width : instance.shadow_side;
+  const std::uint32_t side = whole_layer ? shadow.desc().width : head.shadow_side;
   cmd.begin_rendering(colour, gpu::DepthTarget{.texture = &shadow, .layer = target, .clear = 0.0f},
                       {side, side}, true);
 
   if (of_host) {
-    take_host_map(cmd, instance.host_shadows[layer], shadow);
-  } else if (layer < instance.shadow_from_world.size()) {
-    const io::ShadowIo io{.shadow_from_world = instance.shadow_from_world[layer],
+    take_host_map(cmd, head.host_shadows[layer], shadow);
+  } else if (layer < head.shadow_from_world.size()) {
+    const io::ShadowIo io{.shadow_from_world = head.shadow_from_world[layer],
                           .grow = 2.0f / static_cast<float>(side),
-                          .is_turned = glm::determinant(instance.shadow_from_world[layer]) < 0 ? 1u : 0u};
-    for (const bool cut_out : {false, true}) draw_skin(cmd, frame, instance, cut_out, io);
-    for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, instance, cut_out, io);
+                          .is_turned = glm::determinant(head.shadow_from_world[layer]) < 0 ? 1u : 0u};
+    for (const bool cut_out : {false, true}) draw_skin(cmd, frame, head, cut_out, io);
+    for (const bool cut_out : {false, true}) draw_surfaces(cmd, frame, head, cut_out, io);
   }
   cmd.end_rendering();
 }
 
 void Shadow::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  for (std::uint32_t i = 0; i < settings.instances; ++i) {
-    const Instance& instance = frame.instances[settings.first_instance + i];
-    const bool must_draw =
-        instance.visible &&
-        (!frame.kept_shadows || frame.kept_shadows->must_draw(in.shadow, instance.first_shadow_layer,
-                                                              settings.layers, instance.shadow_version));
+  for (std::uint32_t i = 0; i < settings.heads; ++i) {
+    const Head& head = frame.heads[settings.first_head + i];
+    const bool must_draw = head.visible && (!frame.kept_shadows || frame.kept_shadows->must_draw(
+                                                                       in.shadow, head.first_shadow_layer,
+                                                                       settings.layers, head.shadow_version));
     if (!must_draw) continue;
     for (std::uint32_t layer = 0; layer < settings.layers; ++layer)
-      draw_layer(cmd, resources, frame, instance, layer);
+      draw_layer(cmd, resources, frame, head, layer);
   }
 }
 

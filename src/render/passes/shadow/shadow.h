@@ -18,15 +18,15 @@ inline constexpr VkFormat facing_format = VK_FORMAT_R8G8_UNORM;
 class Shadow {
  public:
   struct Settings {
-    std::uint32_t first_instance = 0, instances = 1;
+    std::uint32_t first_head = 0, heads = 1;
     std::uint32_t layers = 1;  ///< of one head
     /// Entering light is drawn separately, smaller than the depth map: geometry is enlarged by a texel along
     /// its normals, so that each point of the depth map finds an entry.
     bool grown = false;
-    bool host_maps = false;  ///< some layers come from a host: Instance::host_shadows
+    bool host_maps = false;  ///< some layers come from a host: Head::host_shadows
   } settings;
   struct In {
-    /// D32, square; layers of a head begin at Instance::first_shadow_layer, and its maps lie in their corner.
+    /// D32, square; layers of a head begin at Head::first_shadow_layer, and its maps lie in their corner.
     frame::TextureId shadow;
     /// entering_format or facing_format, the same size and layers: square root of the part that enters
     /// (albedo^mix of the front of skin, 0 elsewhere), alpha 1 where there is something.
@@ -41,12 +41,12 @@ class Shadow {
 
  private:
   static bool casts(const GpuMaterial& material, bool cut_out);
-  void draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                  const Instance& instance, std::uint32_t layer) const;
+  void draw_layer(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame, const Head& head,
+                  std::uint32_t layer) const;
   void take_host_map(gpu::Cmd& cmd, const HostShadowMap& map, const gpu::Texture& shadow) const;
-  void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
+  void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Head& head, bool cut_out,
                  const io::ShadowIo& io) const;
-  void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance, bool cut_out,
+  void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Head& head, bool cut_out,
                      const io::ShadowIo& io) const;
   const gpu::Pipeline* pipelines_[2][2][2] = {};  // [skin][cut out][mixed]
   const gpu::Pipeline* host_map_ = nullptr;

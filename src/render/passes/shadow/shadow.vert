@@ -3,7 +3,7 @@
 #include "render/shared/scene_io.h"
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/placement.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/passes/shadow/shadow_io.h"
 // Geometry enlarged by a texel covers every texel that it touches, so that maps smaller than the depth map
 // miss no thin rim.

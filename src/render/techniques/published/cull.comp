@@ -5,7 +5,7 @@
 #include "render/shared/scene_io.h"
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { CullTrianglesIo io; };
@@ -16,6 +16,6 @@ layout(binding = 2, scalar) writeonly buffer Kept { uint kept[]; };
 void main() {
   if (gl_GlobalInvocationID.x >= io.count) return;
   const uint triangle = io.first + gl_GlobalInvocationID.x;
-  const bool culled = io.cull.can_cull != 0u && triangle_culled(triangle, io.cull.map_side);
+  const bool culled = io.cull.can_cull != 0u && triangle_culled(triangle, io.cull.side);
   for (uint k = 0u; k < 3u; ++k) kept[3u * triangle + k] = culled ? 0u : indices[3u * triangle + k];
 }

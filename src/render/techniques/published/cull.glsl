@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [JG08] sec. 3: skin whose normal is more than 105 degrees from the direction to the eye is not lit. Needs
-// vertex_pull.glsl, skin_vertex.glsl, instance.glsl, frame.glsl and `indices`.
+// vertex_pull.glsl, skin_vertex.glsl, head.glsl, frame.glsl and `indices`.
 //
 // Departures. Listings 1 and 2 decide per texel, by the interpolated normal. On a coarse mesh that culls
 // texels that are seen (119 in one view of a head of few polygons), as the paper warns. Here whole triangles
@@ -20,14 +20,14 @@ bool faces_away(uint first) {
 
 // Returns whether a triangle is so thin on a map of this side that it may contain no texel centre: an
 // inscribed circle whose radius is under 0.75 texels.
-bool falls_between_texels(uint first, float map_side) {
+bool falls_between_texels(uint first, float side) {
   const vec2 a = unwrap_of(indices[first]), b = unwrap_of(indices[first + 1]),
              c = unwrap_of(indices[first + 2]);
   const vec2 ab = b - a, ac = c - a;
-  return abs(ab.x * ac.y - ab.y * ac.x) * map_side < 0.75 * (length(ab) + length(ac) + length(c - b));
+  return abs(ab.x * ac.y - ab.y * ac.x) * side < 0.75 * (length(ab) + length(ac) + length(c - b));
 }
 
-bool triangle_culled(uint triangle, float map_side) {
+bool triangle_culled(uint triangle, float side) {
   bool away = faces_away(3u * triangle);
   for (uint i = 0u; i < 3u; ++i) {
     const VertexIo v = vertex_at(indices[3u * triangle + i]);
@@ -39,7 +39,7 @@ bool triangle_culled(uint triangle, float map_side) {
     for (uint k = turned_neighbours[triangle]; k < turned_neighbours[triangle + 1u]; ++k) {
       if (turned_neighbours[k] == always_kept) return false;
       const uint first = 3u * turned_neighbours[k];
-      if (falls_between_texels(first, map_side) && !faces_away(first)) return false;
+      if (falls_between_texels(first, side) && !faces_away(first)) return false;
     }
   return away;
 }

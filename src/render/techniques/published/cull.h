@@ -10,7 +10,7 @@
 namespace dermis::techniques::papers {
 
 /// Inputs of cull.glsl, beside the camera of the frame.
-io::CullIo cull_io(const passes::Instance& instance, const passes::GpuMaterial& material);
+io::CullIo cull_io(const passes::Head& head, const passes::GpuMaterial& material);
 
 class Cull : public passes::ComputePass {
  public:

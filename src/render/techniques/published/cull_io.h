@@ -5,8 +5,8 @@
 DERMIS_IO_BEGIN
 // Decides, with the camera, which triangles are not lit: cull.glsl.
 struct CullIo {
-  uint can_cull;   // 0: both sides of this material are visible
-  float map_side;  // T, texels
+  uint can_cull;  // 0: both sides of this material are visible
+  float side;     // T, texels
 };
 struct CullTrianglesIo {
   CullIo cull;

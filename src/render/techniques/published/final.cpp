@@ -56,7 +56,7 @@ void Final::prepare(gpu::PipelineLibrary& library) {
 }
 
 io::PaperFinalIo Final::io_of(const FrameData& frame) const {
-  io::PaperFinalIo io{.weights = {}, .map_side = used_side(frame, settings.object), .slot = 0};
+  io::PaperFinalIo io{.weights = {}, .side = used_side(frame, settings.object), .slot = 0};
   for (std::size_t i = 0; i < in.lights.size(); ++i) {
     const auto& [r, g, b] = settings.part.profile.terms[i].weight;
     io.weights[i] = glm::vec3(static_cast<float>(r), static_cast<float>(g), static_cast<float>(b));
@@ -69,34 +69,34 @@ void Final::offer(passes::Bindings& bindings, const frame::Resources& resources,
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
                                     "light_4", "light_5", "light_6", "light_7"};
   static_assert(names.size() == MOST_TERMS);
-  const passes::Instance& instance = instance_of(frame, settings.object);
+  const passes::Head& head = head_of(frame, settings.object);
   bindings.add("Frame", frame.frame_io);
-  samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
-  samplers_.offer_sky(bindings, instance, mesh_in_asset(frame, settings.object));
+  samplers_.offer(bindings, frame, head, resources.texture(in.shadow));
+  samplers_.offer_sky(bindings, head, mesh_in_asset(frame, settings.object));
 
   // A binding without a term is never read, but a sampled texture must be bound.
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], i < in.lights.size() ? resources.linear(in.lights[i])
-                                                : resources.linear(instance.asset->white()));
+                                                : resources.linear(head.asset->white()));
 }
 
 void Final::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const passes::Instance& instance = instance_of(frame, settings.object);
-  if (!settings.clear && !instance.is_drawn()) return;
+  const passes::Head& head = head_of(frame, settings.object);
+  if (!settings.clear && !head.is_drawn()) return;
   passes::begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear,
                         frame.area);
-  if (instance.is_drawn()) {
+  if (head.is_drawn()) {
     passes::Bindings bindings;
     offer(bindings, resources, frame);
     passes::draw_skin(
-        cmd, instance, mesh_in_asset(frame, settings.object), bindings,
+        cmd, head, mesh_in_asset(frame, settings.object), bindings,
         [&](const GpuDraw& draw, const GpuMaterial& material) {
           const passes::SkinKind kind{
               .cut_out = material.cut_out, .emits = material.emits, .detailed = material.detailed};
           return pipelines_.at(draw.on_map)[kind.index()][material.double_sided];
         },
         [io = io_of(frame)](const GpuDraw&, const GpuMaterial&) { return io; },
-        passes::first_corners(instance, mesh_in_asset(frame, settings.object)));
+        passes::first_corners(head, mesh_in_asset(frame, settings.object)));
   }
   cmd.end_rendering();
 }
@@ -126,23 +126,22 @@ void UnshadedReads::prepare(gpu::PipelineLibrary& library) {
 
 void UnshadedReads::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   if (!is_lit(frame, settings.object)) return;
-  const passes::Instance& instance = instance_of(frame, settings.object);
+  const passes::Head& head = head_of(frame, settings.object);
   const std::uint32_t mesh = mesh_in_asset(frame, settings.object);
   const gpu::Texture& depth = resources.texture(in.depth);
   passes::Bindings bindings;
   bindings.add("Frame", frame.frame_io)
       .add("light_0", resources.nearest(in.light))
       .add("Counters", resources.buffer(in.counters));
-  const io::PaperFinalIo io{
-      .weights = {}, .map_side = used_side(frame, settings.object), .slot = settings.slot};
+  const io::PaperFinalIo io{.weights = {}, .side = used_side(frame, settings.object), .slot = settings.slot};
 
   cmd.begin_rendering({}, gpu::DepthTarget{.texture = &depth}, {depth.desc().width, depth.desc().height});
   passes::draw_skin(
-      cmd, instance, mesh, bindings,
+      cmd, head, mesh, bindings,
       [&](const GpuDraw& draw, const GpuMaterial& material) {
         return draw.on_map ? pipelines_[material.double_sided][material.cut_out] : nullptr;
       },
-      [&](const GpuDraw&, const GpuMaterial&) { return io; }, passes::first_corners(instance, mesh));
+      [&](const GpuDraw&, const GpuMaterial&) { return io; }, passes::first_corners(head, mesh));
   cmd.end_rendering();
 }
 

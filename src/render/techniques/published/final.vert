@@ -5,7 +5,7 @@
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
 #include "render/shaders/first_corner.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 layout(push_constant, scalar) uniform Push { PaperFinalIo io; };
 #include "render/shaders/frame.glsl"
 #include "render/shaders/bulge.glsl"

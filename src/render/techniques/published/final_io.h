@@ -6,7 +6,7 @@
 DERMIS_IO_BEGIN
 struct PaperFinalIo {
   vec3 weights[MOST_TERMS];  // w_i of the profile, narrow to wide; a channel sums to 1
-  uint map_side;             // T, texels
+  uint side;                 // T, texels
   uint slot;                 // of the counters, see unshaded_reads.frag
 };
 DERMIS_IO_END

@@ -30,11 +30,11 @@ gpu::GraphicsDesc desc_of(const LitMesh& mesh) {
 passes::Bindings bindings_of(const LitMesh& mesh, const frame::Resources& resources, const FrameData& frame,
                              const passes::LightingSamplers& samplers,
                              const passes::ThroughBindings& through) {
-  const passes::Instance& instance = instance_of(frame, mesh.object);
+  const passes::Head& head = head_of(frame, mesh.object);
   passes::Bindings bindings;
   bindings.add("Frame", frame.frame_io);
-  samplers.offer(bindings, frame, instance, resources.texture(mesh.shadow));
-  samplers.offer_sky(bindings, instance, mesh_in_asset(frame, mesh.object));
+  samplers.offer(bindings, frame, head, resources.texture(mesh.shadow));
+  samplers.offer_sky(bindings, head, mesh_in_asset(frame, mesh.object));
   if (mesh.through) through.offer(bindings, resources, mesh.entering, mesh.shadow, 0);
   return bindings;
 }
@@ -83,7 +83,7 @@ void Irradiance::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
 
   cmd.begin_rendering_area(targets, {}, used_area(frame, mesh.object), true);
   passes::draw_skin(
-      cmd, instance_of(frame, mesh.object), mesh_in_asset(frame, mesh.object),
+      cmd, head_of(frame, mesh.object), mesh_in_asset(frame, mesh.object),
       bindings_of(mesh, resources, frame, samplers_, through_),
       [&](const passes::GpuDraw&, const passes::GpuMaterial& material) {
         return pipelines_[material.cut_out];
@@ -117,7 +117,7 @@ void MissedLight::record(gpu::Cmd& cmd, const frame::Resources& resources, const
 
   cmd.begin_rendering_area({}, {}, used_area(frame, mesh.object), true);
   passes::draw_skin(
-      cmd, instance_of(frame, mesh.object), mesh_in_asset(frame, mesh.object), bindings,
+      cmd, head_of(frame, mesh.object), mesh_in_asset(frame, mesh.object), bindings,
       [&](const passes::GpuDraw&, const passes::GpuMaterial&) { return pipeline_; }, nullptr,
       triangles_of(mesh, resources));
   cmd.end_rendering();

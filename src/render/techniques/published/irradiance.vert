@@ -6,7 +6,7 @@
 #include "render/shared/scene_io.h"
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/bulge.glsl"
 

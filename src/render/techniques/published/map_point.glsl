@@ -25,6 +25,6 @@ vec2 within_triangle(vec2 p) {
 // used square: half a texel, plus the step to which samplers round. Outside there may be NaN, which a weight
 // of 0 does not remove.
 vec2 map_point() {
-  const float margin = 0.5 + 1.0 / 256.0, side = float(io.map_side);
+  const float margin = 0.5 + 1.0 / 256.0, side = float(io.side);
   return clamp(within_triangle(in_unwrap) * side, margin, side - margin);
 }

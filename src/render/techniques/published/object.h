@@ -9,22 +9,20 @@ namespace dermis::techniques::papers {
 
 using Object = passes::MapSquare;
 using passes::FrameData;
-using passes::instance_of;
+using passes::head_of;
 using passes::mesh_in_asset;
 
 /// Returns the asset's mesh of an object.
 inline const passes::GpuMesh& mesh_of(const FrameData& frame, const Object& object) {
-  return instance_of(frame, object).asset->skin[mesh_in_asset(frame, object)];
+  return head_of(frame, object).asset->skin[mesh_in_asset(frame, object)];
 }
 
 /// Returns whether the object is lit in this frame. Nothing is spent on heads wholly outside the picture.
-inline bool is_lit(const FrameData& frame, const Object& object) {
-  return instance_of(frame, object).visible;
-}
+inline bool is_lit(const FrameData& frame, const Object& object) { return head_of(frame, object).visible; }
 
 /// Returns T, the texels of a side that this frame uses.
 inline std::uint32_t used_side(const FrameData& frame, const Object& object) {
-  return instance_of(frame, object).map_side;
+  return head_of(frame, object).detail.side;
 }
 
 /// [JG08] sec. 4, glViewport(0, 0, T, T).

@@ -15,13 +15,13 @@ Mask mask_of(const FrameSettings& settings) {
 
 namespace {
 
-// Adds what a skin mesh of a head has taken.
+// Adds what a skin mesh of head `number` has taken.
 void add_object(FrameReport& report, const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                const DrawnHead& head, std::uint32_t mesh_in_model) {
+                const passes::Head& head, std::uint32_t number, std::uint32_t mesh_in_model) {
   const std::uint32_t mesh = settings.models[head.model].first_mesh + mesh_in_model;
   const PlannedMesh& part = settings.skin[mesh];
   const auto counted = [&](ObjectCounter which) -> std::uint64_t {
-    return counters[object_counter(settings, head.head, mesh_in_model, which)];
+    return counters[object_counter(settings, number, mesh_in_model, which)];
   };
 
   const std::uint64_t terms = part.profile.terms.size(),
@@ -39,9 +39,9 @@ void add_object(FrameReport& report, const FrameSettings& settings, std::span<co
 }  // namespace
 
 FrameReport report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                   std::span<const DrawnHead> drawn) {
+                   std::span<const passes::Head> heads) {
   DERMIS_ASSERT_EQ(counters.size(), counter_count(settings));
-  FrameReport report = screen_report(settings, counters, drawn);
+  FrameReport report = screen_report(settings, counters, heads);
   if (settings.optimise.cull) report.optimise.emplace_back("cull");
   if (settings.optimise.depth) report.optimise.emplace_back("depth");
   if (settings.optimise.clip) report.optimise.emplace_back("clip");
@@ -49,13 +49,13 @@ FrameReport report(const FrameSettings& settings, std::span<const std::uint32_t>
   report.unshaded_reads = counters[counter_unshaded_reads];
   report.transmission_misses = counters[counter_missed_light];
 
-  for (const DrawnHead& head : drawn)
-    for (std::uint32_t mesh = 0; mesh < settings.models[head.model].meshes; ++mesh)
-      add_object(report, settings, counters, head, mesh);
+  for (std::uint32_t number = 0; number < heads.size(); ++number)
+    for (std::uint32_t mesh = 0; mesh < settings.models[heads[number].model].meshes; ++mesh)
+      if (heads[number].visible) add_object(report, settings, counters, heads[number], number, mesh);
   return report;
 }
 
-std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn) {
+std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const passes::Head> heads) {
   std::vector<GutterSize> sizes;
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
     const PlannedMesh& part = settings.skin[mesh];
@@ -65,10 +65,10 @@ std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const D
     };
 
     add(settings.map_size);  // of the stretch map
-    for (const DrawnHead& head : drawn) {
+    for (const passes::Head& head : heads) {
       const Model& model = settings.models[head.model];
       const bool has_mesh = mesh >= model.first_mesh && mesh - model.first_mesh < model.meshes;
-      if (has_mesh) add(head.detail.side);
+      if (has_mesh && head.visible) add(head.detail.side);
     }
   }
   return sizes;

@@ -30,7 +30,7 @@ enum class Mask : std::uint8_t { none, alpha, depth };
 Mask mask_of(const FrameSettings& settings);
 
 FrameReport report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                   std::span<const DrawnHead> drawn);
-std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const DrawnHead> drawn);
+                   std::span<const passes::Head> heads);
+std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const passes::Head> heads);
 
 }  // namespace dermis::techniques::papers

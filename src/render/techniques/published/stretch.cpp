@@ -24,7 +24,7 @@ void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
   const gpu::Texture& target = resources.texture(in.stretch);
   const gpu::ColourTarget colour{.texture = &target, .clear = passes::no_light};
   cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
-  passes::draw_skin(cmd, instance_of(frame, settings.object), mesh_in_asset(frame, settings.object), {},
+  passes::draw_skin(cmd, head_of(frame, settings.object), mesh_in_asset(frame, settings.object), {},
                     [&](const passes::GpuDraw&, const passes::GpuMaterial&) { return pipeline_; });
   cmd.end_rendering();
 }

@@ -24,7 +24,7 @@ void main() {
   for (int k = 0; k < 4; ++k) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
-    const ivec2 p = min(corner + d, ivec2(io.map_side - 1u));
+    const ivec2 p = min(corner + d, ivec2(io.side - 1u));
     found = found || (weight > 1.0 / 256.0 && texelFetch(light_0, p, 0) != vec4(0.0));
   }
   if (!found) atomicAdd(counters[io.slot], 1u);

@@ -27,7 +27,7 @@ void Visibility::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Visibility::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const passes::Instance& instance = instance_of(frame, settings.object);
+  const passes::Head& head = head_of(frame, settings.object);
   const std::uint32_t mesh = mesh_in_asset(frame, settings.object);
   passes::Bindings bindings;
   bindings.add("Frame", frame.frame_io);
@@ -36,14 +36,12 @@ void Visibility::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   const std::uint32_t side = used_side(frame, settings.object);
   cmd.begin_rendering(std::span(&colour, 1), {}, {side, side}, true);
   passes::draw_skin(
-      cmd, instance, mesh, bindings,
+      cmd, head, mesh, bindings,
       [&](const passes::GpuDraw&, const passes::GpuMaterial& material) {
         return pipelines_[material.cut_out];
       },
-      [&](const passes::GpuDraw&, const passes::GpuMaterial& material) {
-        return cull_io(instance, material);
-      },
-      passes::first_corners(instance, mesh));
+      [&](const passes::GpuDraw&, const passes::GpuMaterial& material) { return cull_io(head, material); },
+      passes::first_corners(head, mesh));
   cmd.end_rendering();
 }
 

@@ -4,7 +4,7 @@
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
 #include "render/shaders/first_corner.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/techniques/published/cull.glsl"
 #include "render/techniques/published/cull_io.h"
@@ -22,6 +22,6 @@ void main() {
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
   out_culled =
-      io.can_cull != 0u && is_first_corner() && triangle_culled(gl_VertexIndex, io.map_side) ? 1u : 0u;
+      io.can_cull != 0u && is_first_corner() && triangle_culled(gl_VertexIndex, io.side) ? 1u : 0u;
   gl_Position = vec4(unwrap_of(vertex) * 2.0 - 1.0, 0.5, 1.0);
 }

@@ -30,9 +30,10 @@ std::uint32_t MapPool::batches() const {
 passes::MapPlace MapPool::place(std::uint32_t head, std::uint32_t mesh_in_model) const {
   const std::uint32_t index =
       head % settings_->heads_per_batch * meshes_per_batch() + mesh_in_model % meshes_per_batch();
+  const std::uint32_t side = settings_->square_side;
   return {.index = index,
-          .cell = {index % columns(), index / columns()},
-          .side = settings_->square_side,
+          .origin = glm::uvec2(index % columns(), index / columns()) * side,
+          .square_side = side,
           .batch = head / settings_->heads_per_batch * mesh_batches() + mesh_in_model / meshes_per_batch()};
 }
 

@@ -49,10 +49,11 @@ bool has_mesh(const Model& model, std::uint32_t mesh) {
 class Figures {
  public:
   Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-          std::span<const DrawnHead> drawn)
+          std::span<const passes::Head> heads)
       : settings_(settings), counters_(counters) {
-    for (const DrawnHead& head : drawn)
-      for (std::uint32_t i = 0; i < settings.models[head.model].meshes; ++i) add(head, i);
+    for (std::uint32_t number = 0; number < heads.size(); ++number)
+      for (std::uint32_t i = 0; i < settings.models[heads[number].model].meshes; ++i)
+        if (heads[number].visible) add(heads[number], number, i);
   }
 
   std::uint64_t irradiance_texels = 0;
@@ -62,13 +63,13 @@ class Figures {
   std::uint64_t taps = 0;      ///< of convolutions
 
  private:
-  // Adds what skin mesh `i` of a head has taken.
-  void add(const DrawnHead& head, std::uint32_t i) {
+  // Adds what skin mesh `i` of head `number` has taken.
+  void add(const passes::Head& head, std::uint32_t number, std::uint32_t i) {
     const std::uint32_t mesh = settings_.models[head.model].first_mesh + i;
     const Work work = work_of(settings_, settings_.skin[mesh], head.detail.side,
                               mapped_terms(settings_, mesh, head.detail));
     const auto counted = [&](SquareCounter which) -> std::uint64_t {
-      return counters_[square_counter(settings_, head.head, i, which)];
+      return counters_[square_counter(settings_, number, i, which)];
     };
 
     // Shader invocations of one convolution: the tiles.
@@ -94,11 +95,11 @@ std::vector<std::string> names_of(const Optimise& optimise) {
 }  // namespace
 
 FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                                 std::span<const DrawnHead> drawn) {
+                                 std::span<const passes::Head> heads) {
   DERMIS_ASSERT_EQ(counters.size(), counter_count(settings));
-  const Figures figures(settings, counters, drawn);
+  const Figures figures(settings, counters, heads);
 
-  FrameReport report = screen_report(settings, counters, drawn);
+  FrameReport report = screen_report(settings, counters, heads);
   report.optimise = names_of(settings.optimise);
   if (settings.optimise.cull || settings.optimise.clip) report.mask = "tiles";
   report.translucency = settings.translucency;
@@ -114,7 +115,7 @@ FrameReport texture_space_report(const FrameSettings& settings, std::span<const 
 }
 
 std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
-                                              std::span<const DrawnHead> drawn) {
+                                              std::span<const passes::Head> heads) {
   std::vector<GutterSize> sizes;
 
   for (std::uint32_t mesh = 0; mesh < settings.skin.size(); ++mesh) {
@@ -126,8 +127,9 @@ std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
     };
 
     add(settings.stretch_side);
-    for (const DrawnHead& head : drawn)
-      if (has_mesh(settings.models[head.model], mesh) && mapped_terms(settings, mesh, head.detail).any)
+    for (const passes::Head& head : heads)
+      if (head.visible && has_mesh(settings.models[head.model], mesh) &&
+          mapped_terms(settings, mesh, head.detail).any)
         add(head.detail.side);
   }
   return sizes;

@@ -11,8 +11,8 @@
 namespace dermis::techniques {
 
 FrameReport texture_space_report(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                                 std::span<const DrawnHead> drawn);
+                                 std::span<const passes::Head> heads);
 std::vector<GutterSize> texture_space_gutters(const FrameSettings& settings,
-                                              std::span<const DrawnHead> drawn);
+                                              std::span<const passes::Head> heads);
 
 }  // namespace dermis::techniques

@@ -45,10 +45,9 @@ frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s)
 void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& s, const LightMaps& maps) {
   const MapSquare square = shown_square(s);
   const auto light = [&](frame::TextureId map, Shown::Needs needs, std::uint32_t term) {
-    const passes::MapPlace place = maps.pool().place(square.head, 0);
     return Shown{.map = map,
                  .as = Shown::As::light,
-                 .origin = place.cell * place.side,
+                 .origin = maps.pool().place(square.head, 0).origin,
                  .used_square = true,
                  .needs = needs,
                  .term = term};

@@ -32,7 +32,7 @@ void Gutters::refresh(gpu::Cmd& cmd, const frame::Resources& resources, const Gp
 
 void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   const auto mesh_of = [&](const MapSquare& square) -> const GpuMesh& {
-    return instance_of(frame, square).asset->skin[mesh_in_asset(frame, square)];
+    return head_of(frame, square).asset->skin[mesh_in_asset(frame, square)];
   };
 
   if (settings.what != What::stretch) {
@@ -42,7 +42,7 @@ void Gutters::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
   }
 
   for (const MapSquare& square : settings.squares)
-    if (!settings.when_moved || instance_of(frame, square).moves)
+    if (!settings.when_moved || head_of(frame, square).moves)
       refresh(cmd, resources, mesh_of(square), {0, 0}, resources.texture(in.target).desc().width);
 }
 

@@ -11,13 +11,13 @@ class Gutters : public ComputePass {
  public:
   enum class What : std::uint8_t { light, stretch };
   struct Settings {
-    /// stretch: one, at the origin, of the texture's size whatever the instance's T
+    /// stretch: one, at the origin, of the texture's size whatever the head's T
     std::vector<MapSquare> squares;
     What what = What::light;
     frame::Runs runs = frame::Runs::every_frame;  ///< once: of a map that lasts
     /// light: leaves out heads that enter the chain of blurs after this step
     std::uint32_t step = ~0u;
-    /// of a stretch map: does nothing in frames in which the instance has not moved
+    /// of a stretch map: does nothing in frames in which the head has not moved
     bool when_moved = false;
   } settings;
   struct In {

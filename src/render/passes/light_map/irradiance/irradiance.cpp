@@ -50,7 +50,7 @@ void LitTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
                        const Settings& settings, const In& in, const Bindings& of_pass) const {
   const bool through = !settings.through.empty();
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-    const Instance& instance = instance_of(frame, square);
+    const Head& head = head_of(frame, square);
     const std::uint32_t mesh = mesh_in_asset(frame, square);
     const std::size_t entry = through ? through_.entry_of(square.mesh) : 0;
 
@@ -59,17 +59,17 @@ void LitTexels::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
         .add("texels", resources.nearest(in.texels))
         .add("Tiles", resources.buffer(in.lists.tiles))
         .add("TileCounts", resources.buffer(in.lists.counts));
-    samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
-    samplers_.offer_sky(bindings, instance, mesh);
+    samplers_.offer(bindings, frame, head, resources.texture(in.shadow));
+    samplers_.offer_sky(bindings, head, mesh);
     if (through) through_.offer(bindings, resources, in.entering, in.shadow, entry);
 
-    const std::vector<GpuDraw>& draws = instance.asset->skin[mesh].draws;
+    const std::vector<GpuDraw>& draws = head.asset->skin[mesh].draws;
     for (std::size_t k = 0; k < draws.size(); ++k) {
-      const GpuMaterial& material = instance.look->material(draws[k].material);
+      const GpuMaterial& material = head.look->material(draws[k].material);
       const gpu::Pipeline& pipeline = *pipelines_[material.cut_out][entry];
       const std::uint32_t list = in.lists.of_material(square, k);
       Bindings all = bindings;
-      offer_skin(all, instance, mesh, material);
+      offer_skin(all, head, mesh, material);
       all.bind(cmd, pipeline);
       cmd.push(pipeline, io::TexelsIo{.origin = square.origin,
                                       .side = square.side,

@@ -32,7 +32,7 @@ class LitTexels {
     std::vector<ThroughMesh> through;
   };
   struct In {
-    frame::TextureId shadow;         ///< of these instances
+    frame::TextureId shadow;         ///< of these heads
     frame::TextureId entering = {};  ///< with `through`: see Shadow; not valid: all light enters
     frame::TextureId texels;         ///< of TexelMap
     TileLists lists;                 ///< the lit tiles

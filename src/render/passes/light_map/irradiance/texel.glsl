@@ -91,7 +91,7 @@ TexelPoint texel_point(Corners k) {
 
   TexelPoint t;
   t.s = ShadingPoint(k.position_m, k.position_m, normalize(world_direction(normal)),
-                     INSTANCE.scale * bulge_at(k.asset_m, normal, plane),
+                     WORLD_FROM_ASSET.scale * bulge_at(k.asset_m, normal, plane),
                      vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw, colour, uv_dx, uv_dy);
   t.chart = float(skin_vertex_at(k.vertex.x).chart);
   t.alpha_reach = abs(alpha.x) + abs(alpha.y);

@@ -26,18 +26,18 @@ void ShowVisibility::prepare(gpu::PipelineLibrary& library) {
 }
 
 void ShowVisibility::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const Instance& instance = instance_of(frame, settings.square);
+  const Head& head = head_of(frame, settings.square);
   const std::uint32_t mesh = mesh_in_asset(frame, settings.square);
   Bindings bindings;
   bindings.add("Frame", frame.frame_io);
 
   const gpu::ColourTarget colour{.texture = &resources.texture(in.picture), .clear = no_light};
-  cmd.begin_rendering(std::span(&colour, 1), {}, {instance.map_side, instance.map_side}, true);
+  cmd.begin_rendering(std::span(&colour, 1), {}, {head.detail.side, head.detail.side}, true);
   draw_skin(
-      cmd, instance, mesh, bindings,
+      cmd, head, mesh, bindings,
       [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; },
       [&](const GpuDraw&, const GpuMaterial& material) { return material.double_sided ? 0u : 1u; },
-      first_corners(instance, mesh));
+      first_corners(head, mesh));
   cmd.end_rendering();
 }
 

@@ -4,7 +4,7 @@
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
 #include "render/shaders/first_corner.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/cull.glsl"
 layout(push_constant, scalar) uniform Push { uint can_cull; };  // 0: both sides are visible

@@ -24,11 +24,11 @@ void Stretch::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Stretch::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  if (settings.when_moved && !instance_of(frame, settings.square).moves) return;
+  if (settings.when_moved && !head_of(frame, settings.square).moves) return;
   const gpu::Texture& target = resources.texture(in.stretch);
   const gpu::ColourTarget colour{.texture = &target, .clear = no_light};
   cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
-  draw_skin(cmd, instance_of(frame, settings.square), mesh_in_asset(frame, settings.square), {},
+  draw_skin(cmd, head_of(frame, settings.square), mesh_in_asset(frame, settings.square), {},
             [&](const GpuDraw&, const GpuMaterial& material) { return pipelines_[material.cut_out]; });
   cmd.end_rendering();
 }

@@ -12,11 +12,11 @@ namespace dermis::passes {
 class Stretch {
  public:
   struct Settings {
-    MapSquare square;  ///< of any instance with the mesh
+    MapSquare square;  ///< of any head with the mesh
     /// every_frame if skin meshes take turns with the map, or take poses, else once
     frame::Runs runs = frame::Runs::once;  ///< a rigid mesh keeps its metric
     bool cut_out = false;                  ///< some of its skin is cut out, and belongs to no chart
-    bool when_moved = false;               ///< does nothing in frames in which the instance has not moved
+    bool when_moved = false;               ///< does nothing in frames in which the head has not moved
   } settings;
   struct In {
     frame::TextureId

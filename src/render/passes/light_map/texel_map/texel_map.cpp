@@ -35,11 +35,11 @@ void TexelMap::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fr
   const gpu::ColourTarget target{.texture = &resources.texture(in.map)};
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
     if (!must_draw(frame, square)) continue;
-    const Instance& instance = instance_of(frame, square);
+    const Head& head = head_of(frame, square);
     const std::uint32_t number = mesh_in_asset(frame, square);
-    const gpu::Buffer& indices = instance.asset->skin[number].indices;
+    const gpu::Buffer& indices = head.asset->skin[number].indices;
     Bindings bindings;
-    offer_mesh(instance, number, bindings);
+    offer_mesh(head, number, bindings);
 
     cmd.begin_rendering_area(std::span(&target, 1), {}, square.area(), true);
     bindings.bind(cmd, *pipeline_);

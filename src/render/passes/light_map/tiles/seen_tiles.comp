@@ -7,7 +7,7 @@
 #include "render/shaders/tile_list.glsl"
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { SeenTilesIo io; };

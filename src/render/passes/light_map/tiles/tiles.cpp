@@ -24,19 +24,19 @@ SeenTiles::Out SeenTiles::declare(frame::Declare& d) {
 
 void SeenTiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   for (const UsedSquare& square : used_squares(frame, settings.squares)) {
-    const Instance& instance = instance_of(frame, square);
+    const Head& head = head_of(frame, square);
     const std::uint32_t number = mesh_in_asset(frame, square);
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
-        .add("Head", instance.io)
+        .add("Head", head.io)
         .add("TileMarks", resources.buffer(in.lists.marks));
-    offer_mesh(instance, number, bindings);
+    offer_mesh(head, number, bindings);
     bindings.bind(cmd, pipeline());
 
-    const std::vector<GpuDraw>& draws = instance.asset->skin[number].draws;
+    const std::vector<GpuDraw>& draws = head.asset->skin[number].draws;
     for (std::size_t k = 0; k < draws.size(); ++k) {
       io::SeenTilesIo io{
-          .can_cull = instance.look->material(draws[k].material).double_sided ? 0u : 1u,
+          .can_cull = head.look->material(draws[k].material).double_sided ? 0u : 1u,
           .first = draws[k].first_index / 3,
           .count = 0,
           .side = square.side,
@@ -83,7 +83,7 @@ void Tiles::record(gpu::Cmd& cmd, const frame::Resources& resources, const Frame
   const gpu::Buffer& marks = resources.buffer(in.lists.marks);
   const std::vector<UsedSquare> squares = used_squares(frame, settings.squares);
   for (const UsedSquare& square : squares) {
-    const auto& gutters = instance_of(frame, square).asset->skin[mesh_in_asset(frame, square)].gutters;
+    const auto& gutters = head_of(frame, square).asset->skin[mesh_in_asset(frame, square)].gutters;
     const auto found = gutters.find(square.side);
     const bool linked = found != gutters.end() && found->second.count > 0;
     Bindings()

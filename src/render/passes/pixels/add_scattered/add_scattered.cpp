@@ -21,7 +21,7 @@ void AddScattered::record(gpu::Cmd& cmd, const frame::Resources& resources, cons
       .add("blurred", resources.nearest(in.blurred))
       .add("leaving_skin", resources.nearest(in.leaving))
       .bind(cmd, pipeline());
-  dispatch(cmd, frame.heads.io(), frame.heads.size());
+  dispatch(cmd, frame.with_heads.io(), frame.with_heads.size());
 }
 
 }  // namespace dermis::passes

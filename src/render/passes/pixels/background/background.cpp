@@ -27,7 +27,7 @@ void Background::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Background::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const gpu::Texture& nothing = frame.instances.front().asset->white();
+  const gpu::Texture& nothing = frame.heads.front().asset->white();
   const gpu::Texture* const shown = frame.environment_picture;
   Bindings()
       .add("picture", resources.nearest(in.picture))

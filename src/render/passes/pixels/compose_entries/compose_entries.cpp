@@ -31,7 +31,7 @@ void ComposeEntries::prepare(gpu::PipelineLibrary& library) {
 }
 
 void ComposeEntries::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const glm::uvec2 size = frame.heads.size();
+  const glm::uvec2 size = frame.with_heads.size();
   if (size.x == 0 || size.y == 0) return;
 
   Bindings()
@@ -42,7 +42,7 @@ void ComposeEntries::record(gpu::Cmd& cmd, const frame::Resources& resources, co
       .bind(cmd, *pipeline_);
   cmd.push(*pipeline_, io::ComposeEntriesIo{settings.first_part, settings.parts});
 
-  const glm::ivec2 low(frame.heads.low);
+  const glm::ivec2 low(frame.with_heads.low);
   begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), false,
                 VkRect2D{{low.x, low.y}, {size.x, size.y}});
   cmd.draw(3, settings.samples);

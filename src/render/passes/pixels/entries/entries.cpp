@@ -15,7 +15,7 @@ io::EntriesIo entries_io(const EntryBuffers& buffers, const FrameData& frame) {
   const glm::mat4 rows = glm::transpose(camera.clip_from_world);
   const glm::vec3 x(rows[0]), z(rows[2]), w(rows[3]);
   const float pixel = 2 / (static_cast<float>(buffers.width) * glm::length(x));  // metres per clip.w
-  io::EntriesIo io{.area = frame.heads.io(),
+  io::EntriesIo io{.area = frame.with_heads.io(),
                    .offset = 0,
                    .factor = 0,
                    .orthographic = camera.orthographic,
@@ -53,7 +53,7 @@ void Entries::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
       .add("Parts", resources.buffer(in.buffers.parts));
   if (multisampled_) bindings.add("depths", resources.nearest(in.depth));
   bindings.bind(cmd, pipeline());
-  dispatch(cmd, entries_io(in.buffers, frame), frame.heads.size());
+  dispatch(cmd, entries_io(in.buffers, frame), frame.with_heads.size());
 }
 
 PartRanges::Out PartRanges::declare(frame::Declare& d) {
@@ -85,7 +85,7 @@ EntryList::Out EntryList::declare(frame::Declare& d) {
 void EntryList::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   for (std::uint32_t band = 0; band < in.buffers.bands(); ++band) {
     const std::uint32_t first_row = in.buffers.first_row(band);
-    const PixelArea area = rows_of(frame.heads, first_row, first_row + in.buffers.band_rows);
+    const PixelArea area = rows_of(frame.with_heads, first_row, first_row + in.buffers.band_rows);
     if (area.low.y == area.high.y) continue;
     Bindings()
         .add("samples_of_pixels", resources.storage(in.buffers.samples))
@@ -133,9 +133,10 @@ void ResolveEntries::record(gpu::Cmd& cmd, const frame::Resources& resources, co
       .add("picture", resources.storage(out_.picture));
   if (in.layer.valid()) bindings.add("layer", resources.nearest(in.layer));
   bindings.bind(cmd, pipeline());
-  dispatch(cmd, frame.heads.io(), frame.heads.size());
+  dispatch(cmd, frame.with_heads.io(), frame.with_heads.size());
 
-  const glm::uvec2 low = frame.heads.low, high = frame.heads.high, end(in.buffers.width, in.buffers.height);
+  const glm::uvec2 low = frame.with_heads.low, high = frame.with_heads.high,
+                   end(in.buffers.width, in.buffers.height);
   const gpu::StorageImageBinding picture = resources.storage(out_.picture);
   empty(cmd, picture, {0, 0}, {end.x, low.y});
   empty(cmd, picture, {0, low.y}, {low.x, high.y});

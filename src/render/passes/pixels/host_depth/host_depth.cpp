@@ -9,12 +9,9 @@
 namespace dermis::passes {
 namespace {
 
-Instance shape_of(const HostDepthInstance& instance) {
-  return {.asset = instance.asset,
-          .look = instance.look,
-          .vertices = instance.vertices,
-          .posed = instance.posed,
-          .placements = instance.placements};
+io::HostDepthIo io_of(const HostDepthTarget& target, const Head& head) {
+  return {.clip_from_world = target.clip_from_world,
+          .world_from_asset = similarity_io(head.world_from_asset)};
 }
 
 }  // namespace
@@ -35,45 +32,37 @@ HostDepth::HostDepth(gpu::PipelineLibrary& library, const HostDepthFormat& forma
                              .depth_compare = PictureFormat{.reversed_depth = format.reversed}.nearer()});
 }
 
-void HostDepth::draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance,
-                          const HostDepthTarget& target) const {
-  const Instance of_skin = shape_of(instance);
+void HostDepth::draw_skin(gpu::Cmd& cmd, const Head& head, const HostDepthTarget& target) const {
   Bindings bindings;
-  bindings.add("Placements", instance.asset->unmoved);
-  for (std::size_t mesh = 0; mesh < instance.asset->skin.size(); ++mesh)
+  bindings.add("Placements", head.asset->unmoved);
+  for (std::size_t mesh = 0; mesh < head.asset->skin.size(); ++mesh)
     passes::draw_skin(
-        cmd, of_skin, mesh, bindings,
+        cmd, head, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) {
           return material.alpha_mode == AssetAlpha::blend ? nullptr : &pipeline_of(material, target.cull);
         },
-        [&](const GpuDraw&, const GpuMaterial&) {
-          return io::HostDepthIo{.clip_from_world = target.clip_from_world, .instance = instance.transform};
-        });
+        [&](const GpuDraw&, const GpuMaterial&) { return io_of(target, head); });
 }
 
-void HostDepth::draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance,
-                              const HostDepthTarget& target) const {
-  const GpuSurfaces& surfaces = instance.asset->surfaces;
-  const Instance shape = shape_of(instance);
+void HostDepth::draw_surfaces(gpu::Cmd& cmd, const Head& head, const HostDepthTarget& target) const {
+  const GpuSurfaces& surfaces = head.asset->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
-    const GpuMaterial& material = instance.look->material(group.material);
+    const GpuMaterial& material = head.look->material(group.material);
     const gpu::Pipeline& pipeline = pipeline_of(material, target.cull);
     Bindings bindings;
-    offer_page(shape, group.page, bindings);
+    offer_page(head, group.page, bindings);
     material.offer(bindings);
     bindings.bind(cmd, pipeline);
-    cmd.push(pipeline,
-             io::HostDepthIo{.clip_from_world = target.clip_from_world, .instance = instance.transform});
+    cmd.push(pipeline, io_of(target, head));
     for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }
 
-void HostDepth::record(gpu::Cmd& cmd, const HostDepthTarget& target,
-                       std::span<const HostDepthInstance> instances) const {
+void HostDepth::record(gpu::Cmd& cmd, const HostDepthTarget& target, std::span<const Head> heads) const {
   cmd.begin_rendering_area({}, gpu::DepthTarget{.texture = target.depth}, target.area, target.y_down);
-  for (const HostDepthInstance& instance : instances) {
-    draw_skin(cmd, instance, target);
-    draw_surfaces(cmd, instance, target);
+  for (const Head& head : heads) {
+    draw_skin(cmd, head, target);
+    draw_surfaces(cmd, head, target);
   }
   cmd.end_rendering();
 }

@@ -2,11 +2,10 @@
 /// Draws the depth of heads into an image of a host.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "gpu/pipelines.h"
-#include "render/passes/frame_data.h"
-#include "render/shared/scene_io.h"
+#include "render/passes/head.h"
 
 namespace dermis::passes {
 
@@ -26,30 +25,19 @@ struct HostDepthTarget {
   bool cull = false;  ///< leaves out back faces, as the picture does
 };
 
-/// One instance: neither lights nor maps are needed.
-struct HostDepthInstance {
-  const GpuAsset* asset = nullptr;
-  const GpuLook* look = nullptr;
-  // As those of Instance.
-  std::span<const gpu::Buffer> vertices;
-  const PosedShape* posed = nullptr;
-  std::vector<gpu::BufferBinding> placements;
-  io::InstanceIo transform{};
-};
-
 class HostDepth {
  public:
   HostDepth(gpu::PipelineLibrary& library, const HostDepthFormat& format);
 
-  void record(gpu::Cmd& cmd, const HostDepthTarget& target,
-              std::span<const HostDepthInstance> instances) const;
+  /// Neither lights nor maps of the heads are needed.
+  void record(gpu::Cmd& cmd, const HostDepthTarget& target, std::span<const Head> heads) const;
 
  private:
   const gpu::Pipeline& pipeline_of(const GpuMaterial& material, bool cull) const {
     return *pipelines_[material.alpha_mode == AssetAlpha::mask][cull && !material.double_sided];
   }
-  void draw_skin(gpu::Cmd& cmd, const HostDepthInstance& instance, const HostDepthTarget& target) const;
-  void draw_surfaces(gpu::Cmd& cmd, const HostDepthInstance& instance, const HostDepthTarget& target) const;
+  void draw_skin(gpu::Cmd& cmd, const Head& head, const HostDepthTarget& target) const;
+  void draw_surfaces(gpu::Cmd& cmd, const Head& head, const HostDepthTarget& target) const;
   const gpu::Pipeline* pipelines_[2][2] = {};  // [cut out][culled]
 };
 

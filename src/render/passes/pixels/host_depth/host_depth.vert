@@ -5,8 +5,8 @@
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/placement.glsl"
 layout(push_constant, scalar) uniform Push { HostDepthIo io; };
-#define INSTANCE io.instance
-#include "render/shaders/instance.glsl"
+#define WORLD_FROM_ASSET io.world_from_asset
+#include "render/shaders/head.glsl"
 #include "render/shaders/clip.glsl"
 invariant gl_Position;  // equal to that of the picture
 layout(location = 0) out vec2 out_uv0;

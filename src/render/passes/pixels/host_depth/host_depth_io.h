@@ -6,7 +6,7 @@
 DERMIS_IO_BEGIN
 struct HostDepthIo {
   mat4 clip_from_world;
-  InstanceIo instance;
+  SimilarityIo world_from_asset;
 };
 DERMIS_IO_END
 #ifdef __cplusplus

@@ -49,21 +49,21 @@ void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
   const gpu::DepthTarget depth{.texture = &resources.texture(in.depth),
                                .clear = settings.reversed_depth ? 0.0f : 1.0f};
   const VkRect2D all{{0, 0}, {ids.texture->desc().width, ids.texture->desc().height}},
-      picture = frame.area.value_or(all), drawn = settings.whole ? picture : frame.heads.rectangle();
+      picture = frame.area.value_or(all), drawn = settings.whole ? picture : frame.with_heads.rectangle();
   if (drawn.extent.width == 0) return;
   cmd.begin_rendering_area(std::span(&ids, 1), depth, drawn);
   cmd.set_viewport(picture, false);
   cmd.set_scissor(drawn);
 
   for (const IdMesh& mesh : settings.meshes) {
-    const Instance& instance = instance_of(frame, mesh.square);
-    if (!instance.is_drawn()) continue;
+    const Head& head = head_of(frame, mesh.square);
+    if (!head.is_drawn()) continue;
     const std::uint32_t number = mesh_in_asset(frame, mesh.square);
     Bindings bindings;
     bindings.add("Frame", frame.frame_io);
     std::uint32_t part = mesh.first_part;
     draw_skin(
-        cmd, instance, number, bindings,
+        cmd, head, number, bindings,
         [&](const GpuDraw&, const GpuMaterial& m) { return pipelines_[m.double_sided][m.cut_out]; },
         [&](const GpuDraw& draw, const GpuMaterial&) {
           // That of triangle 0 of the mesh, modulo 2^32. Ids of the parts of a draw follow each other.
@@ -71,7 +71,7 @@ void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
           part += draw.parts();
           return io::IdsIo{.first_id = first};
         },
-        first_corners(instance, number));
+        first_corners(head, number));
   }
   cmd.end_rendering();
 }

@@ -4,7 +4,7 @@
 #include "render/shared/scene_io.h"
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/first_corner.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 layout(push_constant, scalar) uniform Push { IdsIo io; };
 layout(location = 0) flat out uint out_id;

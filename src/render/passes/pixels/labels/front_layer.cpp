@@ -43,12 +43,12 @@ void FrontLayer::record(gpu::Cmd& cmd, const frame::Resources& resources, const 
   const gpu::ColourTarget layer{.texture = &resources.texture(out_.layer), .clear = no_light};
   const gpu::DepthTarget depth{.texture = &resources.texture(in.depth)};
   cmd.begin_rendering(std::span(&layer, 1), depth, {settings.width, settings.height});
-  for (const Instance& instance : frame.instances) {
-    if (!instance.visible) continue;
-    const GpuSurfaces& surfaces = instance.asset->surfaces;
+  for (const Head& head : frame.heads) {
+    if (!head.visible) continue;
+    const GpuSurfaces& surfaces = head.asset->surfaces;
     for (const GpuSurfaces::Blended& part : surfaces.blended) {
-      const GpuMaterial& material = instance.look->material(part.material);
-      bind_label_surface(cmd, *pipelines_[material.double_sided], frame, instance, part.page, material,
+      const GpuMaterial& material = head.look->material(part.material);
+      bind_label_surface(cmd, *pipelines_[material.double_sided], frame, head, part.page, material,
                          shows_part());
       surfaces.record(cmd, part.page, part.draw);
     }

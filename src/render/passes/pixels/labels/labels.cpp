@@ -30,20 +30,19 @@ std::array<float, 4 * Labels::most_targets> nothing(std::uint32_t labels) {
   return words;
 }
 
-io::LabelsIo labels_io(const Labels::Settings& settings, const Instance& instance,
-                       const GpuMaterial& material, std::uint32_t skin_mesh) {
-  const auto number = &material - instance.look->materials.data();
-  return {.instance = instance.number + 1,
+io::LabelsIo labels_io(const Labels::Settings& settings, const Head& head, const GpuMaterial& material,
+                       std::uint32_t skin_mesh) {
+  const auto number = &material - head.look->materials.data();
+  return {.instance = head.number + 1,
           .material = static_cast<std::uint32_t>(number) + 1,
           .skin_mesh = skin_mesh,
           .size = {settings.width, settings.height}};
 }
 
-// Offers positions before the last frame that moved the instance. Where none did, the shader reads none: any
+// Offers positions before the last frame that moved the head. Where none did, the shader reads none: any
 // buffer will do.
-void offer_before(const Instance& instance, std::size_t buffer, const gpu::Buffer& any, Bindings& bindings) {
-  bindings.add("Before", instance.before)
-      .add("BeforePositions", instance.posed ? instance.posed->before_m[buffer] : any);
+void offer_before(const Head& head, std::size_t buffer, const gpu::Buffer& any, Bindings& bindings) {
+  bindings.add("Before", head.before).add("BeforePositions", head.posed ? head.posed->before_m[buffer] : any);
 }
 
 }  // namespace
@@ -93,10 +92,10 @@ void Labels::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fram
       .texture = &resources.texture(out_.depth), .clear = 0.0f, .store = settings.keeps_depth};
 
   cmd.begin_rendering(targets, depth, {settings.width, settings.height});
-  for (const Instance& instance : frame.instances) {
-    if (!instance.visible) continue;
-    draw_skin(cmd, frame, instance);
-    draw_surfaces(cmd, frame, instance);
+  for (const Head& head : frame.heads) {
+    if (!head.visible) continue;
+    draw_skin(cmd, frame, head);
+    draw_surfaces(cmd, frame, head);
   }
   cmd.end_rendering();
 }
@@ -105,48 +104,47 @@ const gpu::Pipeline* Labels::pipeline_of(const GpuMaterial& material, bool skin)
   return pipelines_[skin][material.double_sided][material.alpha_mode == AssetAlpha::mask];
 }
 
-void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const {
-  for (std::size_t mesh = 0; mesh < instance.asset->skin.size(); ++mesh) {
+void Labels::draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Head& head) const {
+  for (std::size_t mesh = 0; mesh < head.asset->skin.size(); ++mesh) {
     Bindings bindings;
     bindings.add("Frame", frame.frame_io)
-        .add("Placements", instance.asset->unmoved)
-        .add("BeforePlacements", instance.asset->unmoved)
-        .add("LabelVertices", needs_body(settings.labels) ? instance.asset->skin[mesh].label_vertices
-                                                          : instance.asset->unmoved);
-    offer_before(instance, mesh, instance.asset->unmoved, bindings);
+        .add("Placements", head.asset->unmoved)
+        .add("BeforePlacements", head.asset->unmoved)
+        .add("LabelVertices",
+             needs_body(settings.labels) ? head.asset->skin[mesh].label_vertices : head.asset->unmoved);
+    offer_before(head, mesh, head.asset->unmoved, bindings);
     passes::draw_skin(
-        cmd, instance, mesh, bindings,
+        cmd, head, mesh, bindings,
         [&](const GpuDraw&, const GpuMaterial& material) { return pipeline_of(material, true); },
         [&](const GpuDraw&, const GpuMaterial& material) {
-          return labels_io(settings, instance, material, static_cast<std::uint32_t>(mesh) + 1);
+          return labels_io(settings, head, material, static_cast<std::uint32_t>(mesh) + 1);
         });
   }
 }
 
-void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const {
-  const GpuSurfaces& surfaces = instance.asset->surfaces;
+void Labels::draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Head& head) const {
+  const GpuSurfaces& surfaces = head.asset->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
-    const GpuMaterial& material = instance.look->material(group.material);
+    const GpuMaterial& material = head.look->material(group.material);
     const gpu::Pipeline& pipeline = *pipeline_of(material, false);
-    bind_label_surface(cmd, pipeline, frame, instance, group.page, material, needs_body(settings.labels));
-    cmd.push(pipeline, labels_io(settings, instance, material, 0));
+    bind_label_surface(cmd, pipeline, frame, head, group.page, material, needs_body(settings.labels));
+    cmd.push(pipeline, labels_io(settings, head, material, 0));
     for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }
 
 void bind_label_surface(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const FrameData& frame,
-                        const Instance& instance, std::uint32_t page, const GpuMaterial& material,
-                        bool body) {
-  const GpuSurfaces::Page& of_page = instance.asset->surfaces.pages[page];
+                        const Head& head, std::uint32_t page, const GpuMaterial& material, bool body) {
+  const GpuSurfaces::Page& of_page = head.asset->surfaces.pages[page];
   Bindings bindings;
   bindings.add("Frame", frame.frame_io)
-      .add("Head", instance.io)
-      .add("LabelVertices", body ? of_page.label_vertices : instance.asset->unmoved)
+      .add("Head", head.io)
+      .add("LabelVertices", body ? of_page.label_vertices : head.asset->unmoved)
       .add("SkinVertices", of_page.vertex_extras);  // any buffer: only skin reads it
-  offer_page(instance, page, bindings);
-  offer_before(instance, instance.asset->skin.size() + page, instance.asset->unmoved, bindings);
-  bindings.add("BeforePlacements", instance.placements_before.empty() ? placements_of(instance, page)
-                                                                      : instance.placements_before[page]);
+  offer_page(head, page, bindings);
+  offer_before(head, head.asset->skin.size() + page, head.asset->unmoved, bindings);
+  bindings.add("BeforePlacements",
+               head.placements_before.empty() ? placements_of(head, page) : head.placements_before[page]);
   material.offer(bindings);
   bindings.bind(cmd, pipeline);
 }

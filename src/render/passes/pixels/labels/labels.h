@@ -41,12 +41,12 @@ class Labels {
   static bool needs_body(std::uint32_t labels) {
     return (labels & (LABEL_REGION | LABEL_THICKNESS | LABEL_PART | LABEL_FRONT_LAYER)) != 0;
   }
-  /// Needs Instance::before and, of needs_body(), label_vertices of every skin mesh and page of surfaces.
+  /// Needs Head::before and, of needs_body(), label_vertices of every skin mesh and page of surfaces.
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const;
-  void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Instance& instance) const;
+  void draw_skin(gpu::Cmd& cmd, const FrameData& frame, const Head& head) const;
+  void draw_surfaces(gpu::Cmd& cmd, const FrameData& frame, const Head& head) const;
   const gpu::Pipeline* pipeline_of(const GpuMaterial& material, bool skin) const;
 
   std::size_t targets() const;
@@ -57,6 +57,6 @@ class Labels {
 
 /// Binds what labels.vert reads of a part that is no skin, and its material.
 void bind_label_surface(gpu::Cmd& cmd, const gpu::Pipeline& pipeline, const FrameData& frame,
-                        const Instance& instance, std::uint32_t page, const GpuMaterial& material, bool body);
+                        const Head& head, std::uint32_t page, const GpuMaterial& material, bool body);
 
 }  // namespace dermis::passes

@@ -4,7 +4,7 @@
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
 #include "render/shaders/placement.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/passes/pixels/labels/labels_io.h"
 layout(constant_id = 0) const bool skin = false;
@@ -25,7 +25,7 @@ layout(location = 8) out vec4 out_face;  // LabelVertexIo
 layout(location = 9) flat out uint out_kind;
 
 // The same products and sums for both frames: what stands still has a motion of 0 exactly.
-vec4 clip_at(mat4 clip_from_world, InstanceIo i, PlacementIo placement, vec3 position_m) {
+vec4 clip_at(mat4 clip_from_world, SimilarityIo i, PlacementIo placement, vec3 position_m) {
   return clip_position(clip_from_world, world_position(i, placed_position(placement, position_m)));
 }
 
@@ -46,7 +46,7 @@ void main() {
     out_kind = label.kind;
     if (skin) {
       out_part = label.part;
-      out_body.z = label.thickness_mm * INSTANCE.scale;
+      out_body.z = label.thickness_mm * WORLD_FROM_ASSET.scale;
       out_body.w = label.left;
       out_face = label.face;
     }
@@ -56,8 +56,8 @@ void main() {
   // Not by a uniform alone: render/shaders/switches.glsl says why. No vertex has a number below 0.
   const bool moved = before.moved > (gl_VertexIndex < 0 ? 1u : 0u);
   const vec3 then_m = moved ? before_m[gl_VertexIndex] : now_m;
-  out_clip = clip_at(frame.camera.clip_from_world, INSTANCE, placements[gl_InstanceIndex], now_m);
+  out_clip = clip_at(frame.camera.clip_from_world, WORLD_FROM_ASSET, placements[gl_InstanceIndex], now_m);
   out_clip_before =
-      clip_at(before.clip_from_world, before.instance, before_placements[gl_InstanceIndex], then_m);
+      clip_at(before.clip_from_world, before.world_from_asset, before_placements[gl_InstanceIndex], then_m);
   gl_Position = frame.camera.clip_from_world * vec4(out_position_m, 1.0);
 }

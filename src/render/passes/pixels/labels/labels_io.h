@@ -14,7 +14,7 @@ struct LabelsIo {
 // An instance as it stood in the frame before.
 struct LabelsBeforeIo {
   mat4 clip_from_world;  // of that frame's camera
-  InstanceIo instance;
+  SimilarityIo world_from_asset;
   uint moved;  // 1: its vertices were elsewhere
 };
 

@@ -7,7 +7,7 @@ DERMIS_IO_BEGIN
 struct ShadeIo {
   vec3 weights[MOST_TERMS];  // of the profile, narrow to wide; a channel sums to 1
   uint map_origin;           // of the head's square in the pool of light maps, x below y: 16 bits each
-  uint map_side;             // T, texels
+  uint side;                 // T, texels
   float shown_mm;            // by how much a pixel averages light, as a sigma
   uint through_rays;         // 1: some of the light of wide terms comes through at the pixel
   uint part;

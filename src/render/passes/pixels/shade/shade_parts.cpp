@@ -9,8 +9,8 @@ namespace dermis::passes {
 void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
                  const ShadedMesh& shaded, const EntryBuffers& entries, const SkinShading& shading,
                  std::span<const gpu::Pipeline* const> pipelines, Bindings bindings) {
-  const Instance& instance = instance_of(frame, shaded.square);
-  if (!instance.is_drawn()) return;
+  const Head& head = head_of(frame, shaded.square);
+  if (!head.is_drawn()) return;
 
   const std::uint32_t mesh = mesh_in_asset(frame, shaded.square);
   shading.offer(bindings, resources, frame);
@@ -22,8 +22,8 @@ void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
     entries.offer_shaded(of_band, resources, band);
     io.first_row = entries.first_row(band);
     io.part = shaded.first_part;
-    for (const GpuDraw& draw : instance.asset->skin[mesh].draws) {
-      const GpuMaterial& material = instance.look->material(draw.material);
+    for (const GpuDraw& draw : head.asset->skin[mesh].draws) {
+      const GpuMaterial& material = head.look->material(draw.material);
       const gpu::Pipeline* pipeline = pipelines[shading.variant_of(frame, draw, material).index()];
       io.first_triangle = draw.first_index / 3;
       const std::uint32_t end = io.part + draw.parts();
@@ -33,7 +33,7 @@ void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
       }
 
       Bindings all = of_band;
-      offer_skin(all, instance, mesh, material);
+      offer_skin(all, head, mesh, material);
       all.bind(cmd, *pipeline);
       for (; io.part < end; ++io.part, io.first_triangle += 1u << ID_TRIANGLE_BITS) {
         cmd.push(*pipeline, io);

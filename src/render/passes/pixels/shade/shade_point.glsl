@@ -142,8 +142,8 @@ SeenSkin seen_skin(Entry entry, int point) {
   const vec4 tangent = at_seen(seen.near, a.tangent, b.tangent, c.tangent);
   const ShadingPoint s =
       ShadingPoint(position_m, at_seen(shadow_share, pa, pb, pc), side * normalize(world_direction(normal)),
-                   side * INSTANCE.scale * bulge, vec4(world_direction(tangent.xyz), tangent.w), uv.xy, uv.zw,
-                   colour, dx, dy);
+                   side * WORLD_FROM_ASSET.scale * bulge, vec4(world_direction(tangent.xyz), tangent.w),
+                   uv.xy, uv.zw, colour, dx, dy);
 
   const SkinVertexIo sa = skin_vertex_at(i), sb = skin_vertex_at(j), sc = skin_vertex_at(k);
   OnMap on = OnMap(at_seen(seen.share, sa.unwrap, sb.unwrap, sc.unwrap), 1.0, vec4(0.0),

@@ -34,8 +34,8 @@ uvec2 map_origin() { return uvec2(io.map_origin & 0xFFFFu, io.map_origin >> 16);
 // square there may be NaN, which a weight of 0 does not remove.
 vec2 light_point(vec2 unwrap) {
   const float steps = 256.0, margin = 0.5 + 1.0 / steps;
-  const vec2 in_steps = floor(unwrap * (float(io.map_side) * steps) + 0.5) / steps;
-  return clamp(in_steps, margin, float(io.map_side) - margin) + vec2(map_origin());
+  const vec2 in_steps = floor(unwrap * (float(io.side) * steps) + 0.5) / steps;
+  return clamp(in_steps, margin, float(io.side) - margin) + vec2(map_origin());
 }
 
 // Returns the offset of the unwrap coordinates at which skin reads its light. Light towards the eye came up
@@ -69,7 +69,7 @@ bool is_read(int i) { return i < term_count && (!direct || io.weights[i] != vec3
 // Returns the part of a term that is read from its map.
 vec3 mapped_weight(int term, OnMap on) {
   if (!mixed) return io.weights[term];
-  return map_share(terms.sigma_mm[term], io.shown_mm, on.uv_per_mm, io.map_side) * io.weights[term];
+  return map_share(terms.sigma_mm[term], io.shown_mm, on.uv_per_mm, io.side) * io.weights[term];
 }
 
 vec3 light_of(sampler2D light, vec2 at) {

@@ -136,7 +136,7 @@ io::ShadeIo SkinShading::io(const FrameData& frame) const {
   const glm::uvec2 origin = used_square(frame, look_.square).origin;
   io::ShadeIo io{.weights = {},
                  .map_origin = origin.x | origin.y << 16,
-                 .map_side = instance_of(frame, look_.square).map_side,
+                 .side = head_of(frame, look_.square).detail.side,
                  .shown_mm = mapped.shown_mm,
                  .through_rays = at_pixel ? 1u : 0u,
                  .part = 0,
@@ -150,8 +150,7 @@ io::ShadeIo SkinShading::io(const FrameData& frame) const {
   return io;
 }
 
-void SkinShading::offer_maps(Bindings& bindings, const frame::Resources& resources,
-                             const Instance& instance) const {
+void SkinShading::offer_maps(Bindings& bindings, const frame::Resources& resources, const Head& head) const {
   static constexpr std::array names{"light_0", "light_1", "light_2", "light_3",
                                     "light_4", "light_5", "light_6", "light_7"};
   static_assert(names.size() == MOST_TERMS);
@@ -159,17 +158,17 @@ void SkinShading::offer_maps(Bindings& bindings, const frame::Resources& resourc
   // A binding without a term is never read, but a sampled texture must be bound.
   for (std::size_t i = 0; i < names.size(); ++i)
     bindings.add(names[i], i < lights_.maps.size() ? resources.linear(lights_.maps[i])
-                                                   : resources.linear(instance.asset->white()));
+                                                   : resources.linear(head.asset->white()));
   bindings.add("Terms", terms_);
 }
 
 void SkinShading::offer(Bindings& bindings, const frame::Resources& resources, const FrameData& frame) const {
-  const Instance& instance = instance_of(frame, look_.square);
+  const Head& head = head_of(frame, look_.square);
   bindings.add("Frame", frame.frame_io);
-  samplers_.offer(bindings, frame, instance, resources.texture(lights_.shadow));
-  samplers_.offer_sky(bindings, instance, mesh_in_asset(frame, look_.square));
+  samplers_.offer(bindings, frame, head, resources.texture(lights_.shadow));
+  samplers_.offer_sky(bindings, head, mesh_in_asset(frame, look_.square));
   if (through()) through_.offer(bindings, resources, lights_.entering, lights_.shadow, 0);
-  offer_maps(bindings, resources, instance);
+  offer_maps(bindings, resources, head);
 }
 
 }  // namespace dermis::passes

@@ -99,7 +99,7 @@ class SkinShading {
     return look_.mixes || look_.unscattered ? SkinVariant::Lit::mixed : SkinVariant::Lit::on_map;
   }
   bool through() const { return look_.through && (look_.mixes || look_.off_map || look_.terms.empty()); }
-  void offer_maps(Bindings& bindings, const frame::Resources& resources, const Instance& instance) const;
+  void offer_maps(Bindings& bindings, const frame::Resources& resources, const Head& head) const;
 
   SkinLook look_;
   SkinLights lights_;

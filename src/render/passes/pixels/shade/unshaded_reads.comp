@@ -21,7 +21,7 @@ bool is_unshaded(sampler2D light, SeenSkin seen) {
     const ivec2 d = ivec2(k & 1, k >> 1);
     const float weight = (d.x == 1 ? f.x : 1.0 - f.x) * (d.y == 1 ? f.y : 1.0 - f.y);
     if (weight <= 1.0 / 256.0) continue;
-    const ivec2 p = min(corner + d, ivec2(map_origin() + io.map_side - 1u));
+    const ivec2 p = min(corner + d, ivec2(map_origin() + io.side - 1u));
     const bool is_lit = texelFetch(light, p, 0) != vec4(0.0);
     unlit = unlit || !is_lit;
     lit = lit || is_lit;

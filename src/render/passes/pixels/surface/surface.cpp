@@ -10,13 +10,11 @@
 namespace dermis::passes {
 namespace {
 
-// Whole instances, so that their parts do not interleave.
-void sort_far_to_near(std::vector<const Instance*>& instances, const FrameData& frame) {
-  const auto distance = [&](const Instance* instance) {
-    return glm::distance(instance->middle_m, frame.camera.eye_m);
-  };
-  std::stable_sort(instances.begin(), instances.end(),
-                   [&](const Instance* a, const Instance* b) { return distance(a) > distance(b); });
+// Whole heads, so that their parts do not interleave.
+void sort_far_to_near(std::vector<const Head*>& heads, const FrameData& frame) {
+  const auto distance = [&](const Head* head) { return glm::distance(head->middle_m, frame.camera.eye_m); };
+  std::stable_sort(heads.begin(), heads.end(),
+                   [&](const Head* a, const Head* b) { return distance(a) > distance(b); });
 }
 
 }  // namespace
@@ -50,10 +48,9 @@ void Surface::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  std::vector<const Instance*> visible;
-  for (std::uint32_t i = 0; i < settings.instances; ++i)
-    if (const Instance& instance = frame.instances[settings.first_instance + i]; instance.is_drawn())
-      visible.push_back(&instance);
+  std::vector<const Head*> visible;
+  for (std::uint32_t i = 0; i < settings.heads; ++i)
+    if (const Head& head = frame.heads[settings.first_head + i]; head.is_drawn()) visible.push_back(&head);
   if (visible.empty() && !settings.clear) return;
 
   if (settings.layer)
@@ -61,41 +58,41 @@ void Surface::record(gpu::Cmd& cmd, const frame::Resources& resources, const Fra
   else
     begin_picture(cmd, resources.texture(in.colour), resources.texture(in.depth), settings.clear, frame.area);
   if (settings.blended) sort_far_to_near(visible, frame);
-  for (const Instance* instance : visible)
+  for (const Head* head : visible)
     if (settings.blended)
-      draw_blended(cmd, resources, frame, *instance);
+      draw_blended(cmd, resources, frame, *head);
     else
-      draw_groups(cmd, resources, frame, *instance);
+      draw_groups(cmd, resources, frame, *head);
   cmd.end_rendering();
 }
 
-void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                   const Instance& instance, std::uint32_t page, int number) const {
-  const GpuMaterial& material = instance.look->material(number);
+void Surface::bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame, const Head& head,
+                   std::uint32_t page, int number) const {
+  const GpuMaterial& material = head.look->material(number);
   const gpu::Pipeline& pipeline = material.double_sided ? *double_sided_ : *single_sided_;
   Bindings bindings;
-  bindings.add("Frame", frame.frame_io).add("Head", instance.io);
-  offer_page(instance, page, bindings);
+  bindings.add("Frame", frame.frame_io).add("Head", head.io);
+  offer_page(head, page, bindings);
   material.offer(bindings);
-  samplers_.offer(bindings, frame, instance, resources.texture(in.shadow));
+  samplers_.offer(bindings, frame, head, resources.texture(in.shadow));
   bindings.bind(cmd, pipeline);
 }
 
 void Surface::draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                          const Instance& instance) const {
-  const GpuSurfaces& surfaces = instance.asset->surfaces;
+                          const Head& head) const {
+  const GpuSurfaces& surfaces = head.asset->surfaces;
   for (const GpuSurfaces::Group& group : surfaces.groups) {
-    bind(cmd, resources, frame, instance, group.page, group.material);
+    bind(cmd, resources, frame, head, group.page, group.material);
     for (const GpuSurfaces::Draw& draw : group.draws) surfaces.record(cmd, group.page, draw);
   }
 }
 
 void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                           const Instance& instance) const {
+                           const Head& head) const {
   std::vector<const GpuSurfaces::Blended*> parts;
-  for (const GpuSurfaces::Blended& part : instance.asset->surfaces.blended) parts.push_back(&part);
+  for (const GpuSurfaces::Blended& part : head.asset->surfaces.blended) parts.push_back(&part);
   const auto distance = [&](const GpuSurfaces::Blended* part) {
-    return glm::distance(instance.world_from_asset * glm::vec4(part->centre_m, 1), frame.camera.eye_m);
+    return glm::distance(head.world_from_asset.position(part->centre_m), frame.camera.eye_m);
   };
   std::stable_sort(parts.begin(), parts.end(),
                    [&](const GpuSurfaces::Blended* a, const GpuSurfaces::Blended* b) {
@@ -105,9 +102,9 @@ void Surface::draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, con
   const GpuSurfaces::Blended* bound = nullptr;
   for (const GpuSurfaces::Blended* part : parts) {
     if (!bound || bound->page != part->page || bound->material != part->material)
-      bind(cmd, resources, frame, instance, part->page, part->material);
+      bind(cmd, resources, frame, head, part->page, part->material);
     bound = part;
-    instance.asset->surfaces.record(cmd, part->page, part->draw);
+    head.asset->surfaces.record(cmd, part->page, part->draw);
   }
 }
 

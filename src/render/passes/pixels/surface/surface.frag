@@ -16,7 +16,7 @@ layout(binding = 12) uniform sampler2D map_specular;
 layout(binding = 13) uniform sampler2D map_emissive;
 layout(binding = 14) uniform sampler2D map_specular_colour;
 const float pi = 3.14159265358979;
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/material.glsl"
 #include "render/shaders/lights.glsl"
 #include "render/shaders/environment.glsl"

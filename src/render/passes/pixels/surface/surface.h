@@ -15,7 +15,7 @@ namespace dermis::passes {
 class Surface {
  public:
   struct Settings {
-    std::uint32_t first_instance = 0, instances = 1;
+    std::uint32_t first_head = 0, heads = 1;
     std::uint32_t samples = 1;  ///< of the targets
     PictureFormat format;       ///< of the targets
     bool clear = false;         ///< the first to draw into the targets
@@ -37,12 +37,12 @@ class Surface {
   void record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const;
 
  private:
-  void bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-            const Instance& instance, std::uint32_t page, int number) const;
+  void bind(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame, const Head& head,
+            std::uint32_t page, int number) const;
   void draw_groups(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                   const Instance& instance) const;
+                   const Head& head) const;
   void draw_blended(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                    const Instance& instance) const;
+                    const Head& head) const;
 
   const gpu::Pipeline* single_sided_ = nullptr;
   const gpu::Pipeline* double_sided_ = nullptr;

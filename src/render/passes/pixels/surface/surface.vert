@@ -3,7 +3,7 @@
 #include "render/shared/scene_io.h"
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/placement.glsl"
-#include "render/shaders/instance.glsl"
+#include "render/shaders/head.glsl"
 #include "render/shaders/frame.glsl"
 #include "render/shaders/bulge.glsl"
 invariant gl_Position;  // host_depth.vert has the same

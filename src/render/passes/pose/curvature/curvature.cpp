@@ -25,13 +25,13 @@ void Curvature::prepare(gpu::PipelineLibrary& library) {
 }
 
 void Curvature::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
-  const Instance& instance = instance_of(frame, settings.square);
-  if (settings.posed && !instance.moves) return;
+  const Head& head = head_of(frame, settings.square);
+  if (settings.posed && !head.moves) return;
   const std::size_t number = mesh_in_asset(frame, settings.square);
-  const GpuMesh::Welded& welded = instance.asset->skin[number].welded;
+  const GpuMesh::Welded& welded = head.asset->skin[number].welded;
 
   Bindings bindings;
-  offer_mesh(instance, number, bindings);
+  offer_mesh(head, number, bindings);
   bindings.add("WeldedPoints", welded.point_of)
       .add("CurvaturePoints", resources.buffer(points_))
       .add("Curvature", resources.buffer(in.per_mm));
@@ -40,7 +40,7 @@ void Curvature::record(gpu::Cmd& cmd, const frame::Resources& resources, const F
     // Rows of workgroups: one row may not have as many as a large mesh needs.
     constexpr std::uint32_t row = 64 * 1024;
     bindings.bind(cmd, *steps_[step]);
-    cmd.push(*steps_[step], io::CurvatureIo{.count = count, .mm_per_unit = instance.asset->mm_per_unit});
+    cmd.push(*steps_[step], io::CurvatureIo{.count = count, .mm_per_unit = head.asset->mm_per_unit});
     cmd.dispatch_over(*steps_[step], std::min(count, row), (count + row - 1) / row);
     cmd.barrier_all();
   };

@@ -14,7 +14,7 @@ namespace dermis::passes {
 class Curvature {
  public:
   struct Settings {
-    MapSquare square;            ///< of any instance with the mesh
+    MapSquare square;            ///< of any head with the mesh
     std::uint32_t vertices = 0;  ///< of the mesh
     std::uint32_t triangles = 0;
     bool posed = false;  ///< it takes poses: again in each frame that moves it

@@ -36,10 +36,10 @@ void ScatterSum::prepare(gpu::PipelineLibrary& library) {
 
 void ScatterSum::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   if (!holds_light(frame, settings.square)) return;
-  const Instance& instance = instance_of(frame, settings.square);
+  const Head& head = head_of(frame, settings.square);
   const MappedTerms mapped = terms_of(frame, settings.square);
   const UsedSquare square = used_square(frame, settings.square);
-  const MapPlace& place = instance.map_places[mesh_in_asset(frame, settings.square)];
+  const MapPlace& place = head.map_places[mesh_in_asset(frame, settings.square)];
 
   io::ScatterSumIo io{.shares = {},
                       .origin = square.origin,

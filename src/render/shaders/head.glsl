@@ -2,17 +2,19 @@
 // The head of a draw or dispatch, and the way from the coordinates of its asset to the world. An instance
 // that is not turned moves its points by one addition, exactly: products with 0 and 1 do not round. Precise
 // as clip_position() is.
-#ifndef INSTANCE  // a pass may have it elsewhere
+#ifndef WORLD_FROM_ASSET  // a pass may have it elsewhere
 #include "render/shared/scene_io.h"
 layout(binding = 33, scalar) uniform Head { HeadIo of_head; };
-#define INSTANCE of_head.instance
+#define WORLD_FROM_ASSET of_head.world_from_asset
 #endif
 
-vec3 world_direction(vec3 d) { return INSTANCE.x_axis * d.x + INSTANCE.y_axis * d.y + INSTANCE.z_axis * d.z; }
+vec3 world_direction(vec3 d) {
+  return WORLD_FROM_ASSET.x_axis * d.x + WORLD_FROM_ASSET.y_axis * d.y + WORLD_FROM_ASSET.z_axis * d.z;
+}
 
-vec3 world_position(InstanceIo i, vec3 p) {
+vec3 world_position(SimilarityIo i, vec3 p) {
   precise const vec3 world_m = (i.x_axis * p.x + i.y_axis * p.y + i.z_axis * p.z) * i.scale + i.origin_m;
   return world_m;
 }
 
-vec3 world_position(vec3 position_m) { return world_position(INSTANCE, position_m); }
+vec3 world_position(vec3 position_m) { return world_position(WORLD_FROM_ASSET, position_m); }
