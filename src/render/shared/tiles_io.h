@@ -4,9 +4,7 @@
 #ifndef DERMIS_SHARED_TILES_IO_H
 #define DERMIS_SHARED_TILES_IO_H
 #include "render/shared/types.h"
-// Texels of a tile: what one workgroup computes.
-#define TILE_WIDTH 16
-#define TILE_HEIGHT 8
+#define TILE_SIDE 8  // texels of a tile, which one workgroup computes, in either direction
 // Workgroups in x of an indirect dispatch: all devices allow 65535 in each direction.
 #define TILE_ROW 32768
 // Marks of a tile, as bits. Seen: a triangle that a pixel may show touches it. Source: texels of seen
@@ -34,7 +32,7 @@ inline
 #endif
     uvec2
     tiles_across(uint side) {
-  return (uvec2(side) + uvec2(TILE_WIDTH, TILE_HEIGHT) - 1u) / uvec2(TILE_WIDTH, TILE_HEIGHT);
+  return (uvec2(side) + uint(TILE_SIDE) - 1u) / uint(TILE_SIDE);
 }
 DERMIS_IO_END
 #endif

@@ -12,6 +12,7 @@
 #include "gpu/support/settings.h"
 #include "head/scene/framing.h"
 #include "head/scene/surface/coverage.h"
+#include "render/shared/tiles_io.h"
 #include "render/techniques/sides_by_need.h"
 
 namespace dermis::tests {
@@ -26,7 +27,6 @@ RenderSettings settings_with(bool cull, bool depth, bool clip) {
   return s;
 }
 
-constexpr int tile_width = 16, tile_height = 8;
 constexpr float tile_reach = 1;  // texels: render/passes/light_map/tiles/seen_tiles.comp
 
 // Texels of the map that triangles cover, in the tiles that triangles touch which `kept(triangle)` accepts.
@@ -34,7 +34,7 @@ template <class Kept>
 std::size_t count_texels(const scene::SkinMesh& mesh, const Kept& kept) {
   std::vector<bool> covered(static_cast<std::size_t>(side) * side), lit(covered.size());
   const auto tile = [](int x, int y) {
-    return static_cast<std::size_t>(y / tile_height) * side + static_cast<std::size_t>(x / tile_width);
+    return static_cast<std::size_t>(y / TILE_SIDE) * side + static_cast<std::size_t>(x / TILE_SIDE);
   };
   for (std::size_t t = 0; t < mesh.triangle_chart.size(); ++t) {
     const std::array<glm::vec2, 3> uv = scene::triangle_uv(mesh, t);
@@ -46,8 +46,8 @@ std::size_t count_texels(const scene::SkinMesh& mesh, const Kept& kept) {
     const auto texel = [](const glm::vec2& at) { return glm::ivec2(glm::clamp(at, 0.0f, side - 1.0f)); };
     const glm::ivec2 low = texel(glm::min(uv[0], glm::min(uv[1], uv[2])) * float{side} - tile_reach),
                      high = texel(glm::max(uv[0], glm::max(uv[1], uv[2])) * float{side} + tile_reach);
-    for (int y = low.y / tile_height * tile_height; y <= high.y; y += tile_height)
-      for (int x = low.x / tile_width * tile_width; x <= high.x; x += tile_width) lit[tile(x, y)] = true;
+    for (int y = low.y / TILE_SIDE * TILE_SIDE; y <= high.y; y += TILE_SIDE)
+      for (int x = low.x / TILE_SIDE * TILE_SIDE; x <= high.x; x += TILE_SIDE) lit[tile(x, y)] = true;
   }
 
   std::size_t count = 0;

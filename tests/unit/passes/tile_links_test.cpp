@@ -10,9 +10,9 @@
 namespace dermis::passes {
 namespace {
 
-constexpr std::uint32_t side = 64, across = side / TILE_WIDTH, tiles = across * side / TILE_HEIGHT;
+constexpr std::uint32_t side = 64, across = side / TILE_SIDE, tiles = across * side / TILE_SIDE;
 
-std::uint32_t tile_at(std::uint32_t x, std::uint32_t y) { return y / TILE_HEIGHT * across + x / TILE_WIDTH; }
+std::uint32_t tile_at(std::uint32_t x, std::uint32_t y) { return y / TILE_SIDE * across + x / TILE_SIDE; }
 std::uint32_t tile_of(std::uint32_t packed) { return tile_at(packed & 0xFFFF, packed >> 16); }
 
 struct Found {

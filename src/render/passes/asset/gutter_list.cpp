@@ -167,7 +167,7 @@ std::vector<io::GutterIo> packed(const GutterList& list) {
 std::vector<std::uint32_t> tile_links(const std::vector<io::GutterIo>& gutters, std::uint32_t side) {
   const glm::uvec2 across = io::tiles_across(side);
   const auto tile_at = [&](std::uint32_t x, std::uint32_t y) {
-    return y / TILE_HEIGHT * across.x + x / TILE_WIDTH;
+    return y / TILE_SIDE * across.x + x / TILE_SIDE;
   };
   const auto tile_of = [&](std::uint32_t packed) { return tile_at(packed & 0xFFFFu, packed >> 16); };
 

@@ -51,9 +51,11 @@ class Figures {
   Figures(const FrameSettings& settings, std::span<const std::uint32_t> counters,
           std::span<const passes::Head> heads)
       : settings_(settings), counters_(counters) {
-    for (std::uint32_t number = 0; number < heads.size(); ++number)
+    for (std::uint32_t number = 0; number < heads.size(); ++number) {
+      if (!heads[number].visible) continue;
       for (std::uint32_t i = 0; i < settings.models[heads[number].model].meshes; ++i)
-        if (heads[number].visible) add(heads[number], number, i);
+        add(heads[number], number, i);
+    }
   }
 
   std::uint64_t irradiance_texels = 0;
@@ -73,7 +75,7 @@ class Figures {
     };
 
     // Shader invocations of one convolution: the tiles.
-    const std::uint64_t at_once = std::uint64_t{TILE_WIDTH * TILE_HEIGHT} * counted(counter_tiles);
+    const std::uint64_t at_once = std::uint64_t{TILE_SIDE * TILE_SIDE} * counted(counter_tiles);
     irradiance_texels += counted(counter_lit_texels);
     convolved_texels += counted(counter_lit_texels) * work.terms;
     launched += counted(counter_lit_texels) + at_once * work.convolutions;

@@ -8,7 +8,7 @@
 #include "render/shaders/vertex_pull.glsl"
 #include "render/shaders/skin_vertex.glsl"
 #include "render/shaders/bulge.glsl"
-layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
+layout(local_size_x = TILE_SIDE, local_size_y = TILE_SIDE) in;
 layout(push_constant, scalar) uniform Push { TexelsIo io; };
 layout(binding = 1, scalar) readonly buffer Indices { uint indices[]; };
 layout(binding = 39, scalar) readonly buffer Tiles { uint tiles[]; };

@@ -43,7 +43,7 @@ void main() {
   const float side = float(io.side);
   const uvec2 low = uvec2(clamp(min(a, min(b, c)) * side - io.reach, 0.0, side - 1.0)),
               high = uvec2(clamp(max(a, max(b, c)) * side + io.reach, 0.0, side - 1.0));
-  for (uint y = low.y / TILE_HEIGHT; y <= high.y / TILE_HEIGHT; ++y)
-    for (uint x = low.x / TILE_WIDTH; x <= high.x / TILE_WIDTH; ++x)
+  for (uint y = low.y / TILE_SIDE; y <= high.y / TILE_SIDE; ++y)
+    for (uint x = low.x / TILE_SIDE; x <= high.x / TILE_SIDE; ++x)
       atomicOr(tile_marks[io.first_tile + y * tiles_across(io.side).x + x], marks);
 }

@@ -8,7 +8,7 @@
 #include "render/shaders/half.glsl"
 #include "render/passes/scatter/blur/blur_io.h"
 #include "render/shaders/tile_list.glsl"
-layout(local_size_x = TILE_WIDTH, local_size_y = TILE_HEIGHT) in;
+layout(local_size_x = TILE_SIDE, local_size_y = TILE_SIDE) in;
 layout(push_constant, scalar) uniform Push { BlurIo io; };
 layout(binding = 0, rgba16f) uniform readonly image2D light_in;
 layout(binding = 1) uniform sampler2D stretch;
