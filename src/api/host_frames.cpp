@@ -9,7 +9,6 @@
 #include "api/scene_state.h"
 #include "base/core/error.h"
 #include "render/setup/camera_matrices.h"
-#include "render/setup/frame_data.h"
 
 namespace dermis::vulkan {
 
@@ -50,7 +49,7 @@ HostFrames::State::Filled HostFrames::State::fill(Slot& slot, bool measured) {
   slot.memory.clear();
   Filled filled{.data = frame.data(slot.memory, measured), .records = {}};
   for (passes::Head& head : filled.data.heads) head.vertices = move.vertices_of(head.instance);
-  filled.records = slot.memory.add(std::span<const api::HostRecord>(records.of(filled.data, frame.setup())));
+  filled.records = slot.memory.add(std::span<const api::HostRecord>(records.of(filled.data)));
   return filled;
 }
 

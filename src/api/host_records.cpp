@@ -14,8 +14,7 @@ HostRecords::HostRecords(std::span<const AssetPointer> assets, float unlit_rest)
   }
 }
 
-std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame,
-                                        const setup::FrameSetup& setup) const {
+std::vector<HostRecord> HostRecords::of(const passes::FrameData& frame) const {
   std::vector<HostRecord> records = unlit_;
   for (std::size_t i = 0; i < frame.heads.size(); ++i) {
     const passes::Head& head = frame.heads[i];

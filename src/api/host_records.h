@@ -9,7 +9,6 @@
 
 #include "api/scene_on_device.h"
 #include "render/passes/frame_data.h"
-#include "render/setup/frame_setup.h"
 
 namespace dermis::api {
 
@@ -31,7 +30,7 @@ class HostRecords {
   HostRecords(std::span<const AssetPointer> assets, float unlit_rest);
 
   /// Returns those of a frame.
-  std::vector<HostRecord> of(const passes::FrameData& frame, const setup::FrameSetup& setup) const;
+  std::vector<HostRecord> of(const passes::FrameData& frame) const;
   std::uint32_t number(std::size_t instance, std::uint32_t mesh) const { return first_[instance] + mesh; }
   std::uint32_t meshes(std::size_t instance) const { return first_[instance + 1] - first_[instance]; }
 

@@ -7,15 +7,15 @@
 
 namespace dermis::api {
 
-void Motion::fill(gpu::FrameMemory& memory, const setup::FrameSetup& setup, const setup::PlacedScene& placed,
+void Motion::fill(gpu::FrameMemory& memory, const setup::PlacedScene& placed,
                   const std::vector<InstanceId>& ids, passes::FrameData& data) {
   before_ = std::move(last_);
-  last_ = {.clip_from_world = setup.frame.camera.clip_from_world};
+  last_ = {.clip_from_world = data.camera.clip_from_world};
   const bool row = data.heads.size() > placed.instances.size();
 
   for (passes::Head& head : data.heads) {
     const setup::PlacedInstance& now = placed.instances[head.instance];
-    const std::pair key(ids[head.instance], row ? head.number : 0);
+    const std::pair key(ids[head.instance], row ? head.number : 0u);
     const Stood stands{.asset = now.asset,
                        .world_from_asset = passes::similarity_io(head.world_from_asset),
                        .posed = now.posed};

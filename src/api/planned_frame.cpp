@@ -167,7 +167,7 @@ passes::FrameData PlannedFrame::data(gpu::FrameMemory& memory, bool measured) {
   shadow_versions_.fill(setup_, scene_, input_.placed, input_.host ? &*input_.host : nullptr, data);
   data.kept_shadows = &kept_shadows_;
   data.kept_texels = &kept_texels_;
-  if (options_.labels != 0) motion_.fill(memory, setup_, input_.placed, ids_, data);
+  if (options_.labels != 0) motion_.fill(memory, input_.placed, ids_, data);
   return data;
 }
 

@@ -25,7 +25,8 @@ class PosedInstances {
   void keep(gpu::PipelineLibrary& library, const SceneOnDevice& scene, const std::vector<InstanceId>& ids,
             const setup::PlacedScene& placed, bool recorded = false);
 
-  /// Writes what a frame moves and lights anew, and where its heads have their vertices.
+  /// Writes what a frame moves and lights anew, and where its heads have their vertices. Needs their
+  /// assets.
   /// Both count as done from here on, unless the frame is only `measured`.
   void fill(gpu::FrameMemory& memory, passes::FrameData& data, bool measured = false);
 

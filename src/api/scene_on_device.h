@@ -73,7 +73,7 @@ class SceneOnDevice {
               const std::shared_ptr<const setup::EnvironmentLight>& environment, const SceneOnDevice& before,
               const setup::HostSetup* host = nullptr);
 
-  /// Tells heads where their assets, looks and skies are. After upload(); must outlive them.
+  /// Tells heads where their assets, looks and skies are. After upload(); the scene must outlive them.
   void give(std::span<passes::Head> heads) const;
 
  private:

@@ -2,9 +2,7 @@
 // Data that changes per frame, for passes while they record.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "gpu/resources.h"
 #include "render/passes/head.h"
 #include "render/passes/light_map/kept_maps.h"
+#include "render/passes/pixels/pixel_area.h"
 #include "render/shared/scene_io.h"
 
 namespace dermis::passes {

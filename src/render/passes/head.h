@@ -2,11 +2,13 @@
 /// A head on its way through a frame.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
+#include "gpu/cmd.h"
 #include "gpu/resources.h"
 #include "head/scene/similarity.h"
 #include "render/passes/asset/gpu_asset.h"
@@ -55,7 +57,7 @@ struct PosedShape {
 
 /// An instance of the scene in a frame, or one of a row of them. Each has its own shadow maps.
 struct Head {
-  // Decided by setup::set_up(), for a camera.
+  // Decided by setup::set_up() and set_view(), for a camera.
   std::uint32_t number = 0;  ///< among the heads of the scene, however the plan sorts them
   std::size_t instance = 0;  ///< of the scene
   std::uint32_t model = 0;   ///< of the plan
@@ -69,25 +71,26 @@ struct Head {
   /// Images of a host for these layers, null where dermis draws them; empty: it draws all.
   std::vector<HostShadowMap> host_shadows;
   PixelArea area;       ///< of the picture: pixels outside do not show it
-  bool visible = true;  ///< false: wholly outside the picture, not lit or drawn
+  bool visible = true;  ///< false: hidden, or left out as wholly outside the picture; neither lit nor drawn
   bool drawn = true;    ///< false: lit, but a host draws it
   bool is_drawn() const { return visible && drawn; }
 
-  // What its instance has on the device, which must outlive the frame: api::SceneOnDevice.
+  // What its instance has on the device, which must outlive the frame: of api::SceneOnDevice, and what moves
+  // of api::HostMoves and api::PosedInstances.
   const GpuAsset* asset = nullptr;        ///< shared by all instances of the asset
   const GpuLook* look = nullptr;          ///< its materials
   std::span<const SkyMaps> sky;           ///< one per skin mesh of the asset; only with an environment
   std::span<const gpu::Buffer> vertices;  ///< moved by a host, one per skin mesh; empty: those of `asset`
   const PosedShape* posed = nullptr;      ///< of an instance that takes poses
-  /// Posed, PlacementIo[], one per page; empty: those of `asset`.
-  std::vector<gpu::BufferBinding> placements;
 
-  // Written for a frame, by setup::frame_data() and what fills labels and poses.
+  // Written for a frame, by setup::frame_data() and what fills poses, versions of shadows and labels.
   gpu::BufferBinding io;             ///< HeadIo
   std::uint32_t first_mesh = 0;      ///< of its skin, among the skin meshes of the plan
   std::vector<MapPlace> map_places;  ///< one per skin mesh of the asset; empty where nothing has light maps
   std::vector<MappedTerms> mapped_terms;  ///< likewise; empty: all
-  bool moves = false;                     ///< it has moved since the last frame, or this is its first
+  /// PlacementIo[] of its pose, one per page; empty: those of `asset`.
+  std::vector<gpu::BufferBinding> placements;
+  bool moves = false;  ///< it has moved since the last frame, or this is its first
   /// Of what its shadow layers show: the same number, the same depths and entering light. 0: may change
   /// unseen.
   std::uint64_t shadow_version = 0;

@@ -10,7 +10,6 @@
 #include "render/techniques/mapped_terms.h"
 
 namespace dermis::setup {
-
 namespace {
 
 int texels(std::uint64_t bytes) { return static_cast<int>(bytes / gpu::texel_bytes(gpu::texel_format)); }

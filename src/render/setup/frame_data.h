@@ -10,8 +10,8 @@
 namespace dermis::setup {
 
 /// Writes what passes read while they record a frame of `setup`: camera, lights, poses, and where light lies
-/// in the maps of `outputs`, which its plan has made. Its heads do not know yet what they have on the device.
-/// `memory` and `environment`, which may be null, must outlive the result.
+/// in the maps of `outputs`, which its plan has made. api::SceneOnDevice::give() tells its heads next what
+/// they have on the device. `memory` and `environment`, which may be null, must outlive the result.
 passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
                              const techniques::FrameOutputs& outputs, const EnvironmentLight* environment);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dermis/settings.h"
+#include "render/passes/head.h"
 #include "render/setup/frame_camera.h"
 #include "render/setup/placed_scene.h"
 #include "render/setup/pool.h"
@@ -27,7 +28,7 @@ struct MeshSource {
 struct FrameSetup {
   const techniques::Technique* technique = nullptr;
   techniques::FrameSettings plan;
-  std::vector<passes::Head> heads;  ///< in the order of the plan, without what lies on a device
+  std::vector<passes::Head> heads;  ///< in the order of the plan, without what api::SceneOnDevice gives them
   std::vector<MeshSource> meshes;   ///< one for each of FrameSettings::skin
   io::FrameIo frame{};
   double d_ref = 0;  ///< see reference_distance()

@@ -2,7 +2,6 @@
 #include "render/setup/placed_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -12,8 +12,8 @@ vec3 world_direction(vec3 d) {
   return WORLD_FROM_ASSET.x_axis * d.x + WORLD_FROM_ASSET.y_axis * d.y + WORLD_FROM_ASSET.z_axis * d.z;
 }
 
-vec3 world_position(SimilarityIo i, vec3 p) {
-  precise const vec3 world_m = (i.x_axis * p.x + i.y_axis * p.y + i.z_axis * p.z) * i.scale + i.origin_m;
+vec3 world_position(SimilarityIo s, vec3 p) {
+  precise const vec3 world_m = (s.x_axis * p.x + s.y_axis * p.y + s.z_axis * p.z) * s.scale + s.origin_m;
   return world_m;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bitset>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>

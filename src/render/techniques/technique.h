@@ -106,13 +106,15 @@ struct Technique {
   FrameOutputs (*maps)(passes::FramePlan& plan, const FrameSettings& settings);
 
   /// Returns what a frame of these settings has computed. `counters`: as read back from
-  /// FrameOutputs::counters; `heads` as FrameSettings::heads has them.
+  /// FrameOutputs::counters; `heads` as FrameSettings::heads has them: of those that are not visible
+  /// nothing counts.
   FrameReport (*report)(const FrameSettings& settings, std::span<const std::uint32_t> counters,
-                        std::span<const passes::Head> drawn);
+                        std::span<const passes::Head> heads);
 
   /// Returns the gutters that must be there before a frame of these heads is drawn: passes::GpuAsset makes
-  /// them. May name one twice.
-  std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const passes::Head> drawn);
+  /// them. None for heads that are not visible; reads no more of them than model and detail. May name one
+  /// twice.
+  std::vector<GutterSize> (*gutters)(const FrameSettings& settings, std::span<const passes::Head> heads);
 };
 
 /// Returns all techniques, in the order in which users see them; the first is the default.

@@ -122,8 +122,7 @@ class MovedOnDevice : public testing::Test {
     const std::vector<scene::SkinMesh> expected = scene::skin_meshes(moved(instance));
     double apart = 0, at_rest = 0;
     for (std::size_t m = 0; m < expected.size(); ++m) {
-      const auto found =
-          values_of<io::SkinVertexIo>(*device_, data_.heads[instance].posed->skin_vertices[m]);
+      const auto found = values_of<io::SkinVertexIo>(*device_, data_.heads[instance].posed->skin_vertices[m]);
       ASSERT_EQ(found.size(), expected[m].metric.size());
       std::size_t off = 0;
       for (std::size_t v = 0; v < found.size(); ++v) {

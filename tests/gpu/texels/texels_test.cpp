@@ -72,8 +72,7 @@ class Frames {
   /// Draws a frame; settings may differ from those of before in what needs no other plan.
   void draw(const RenderSettings& settings) {
     setup_ = setup::set_up_alone(asset_, settings);
-    for (const techniques::GutterSize& size :
-         setup_.technique->gutters(setup_.plan, setup_.heads))
+    for (const techniques::GutterSize& size : setup_.technique->gutters(setup_.plan, setup_.heads))
       scene_->make_gutters(bench()->device, size.mesh, asset_->skin[size.mesh], size.side, size.width_texels);
     memory_.clear();
     passes::FrameData data = setup::frame_data(memory_, setup_, outputs_, nullptr);
@@ -105,8 +104,7 @@ class Frames {
   std::vector<bool> gutters() const {
     const auto side = static_cast<std::size_t>(setup_.heads[0].detail.side);
     std::vector<bool> is_gutter(side * side);
-    for (const techniques::GutterSize& size :
-         setup_.technique->gutters(setup_.plan, setup_.heads)) {
+    for (const techniques::GutterSize& size : setup_.technique->gutters(setup_.plan, setup_.heads)) {
       if (size.mesh != 0 || size.side != side) continue;
       const passes::GutterList list =
           passes::gutter_list(asset_->skin[0], static_cast<int>(side), size.width_texels);

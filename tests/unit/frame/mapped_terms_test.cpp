@@ -180,6 +180,10 @@ TEST(MappedTerms, NoGuttersAreMadeForMapsThatAreNotRead) {
   const std::vector<GutterSize> made = technique.gutters(s, one_term);
   ASSERT_EQ(made.size(), 2u);
   EXPECT_EQ(made.back().width_texels, static_cast<int>(std::ceil(3 * std::sqrt(7.41) * 2.5 / 4)) + 2);
+
+  const std::array hidden{passes::Head{.detail = {.side = 256}, .visible = false}};
+  for (const char* name : {"texture-space", "published"})
+    EXPECT_EQ(find_technique(name).gutters(s, hidden).size(), 1u) << name;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Gaussians of its profile that a skin mesh of a head reads from light maps in a frame. A head far away
-/// reads few or none: the others are lit at the pixel.
+/// Fineness of the light maps of a head, and the Gaussians of its profile that a skin mesh reads from them in
+/// a frame. A head far away reads few or none: the others are lit at the pixel.
 #pragma once
 
 #include <array>

@@ -49,9 +49,11 @@ FrameReport report(const FrameSettings& settings, std::span<const std::uint32_t>
   report.unshaded_reads = counters[counter_unshaded_reads];
   report.transmission_misses = counters[counter_missed_light];
 
-  for (std::uint32_t number = 0; number < heads.size(); ++number)
+  for (std::uint32_t number = 0; number < heads.size(); ++number) {
+    if (!heads[number].visible) continue;
     for (std::uint32_t mesh = 0; mesh < settings.models[heads[number].model].meshes; ++mesh)
-      if (heads[number].visible) add_object(report, settings, counters, heads[number], number, mesh);
+      add_object(report, settings, counters, heads[number], number, mesh);
+  }
   return report;
 }
 

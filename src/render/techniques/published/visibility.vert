@@ -21,7 +21,6 @@ void main() {
   out_position_m = world_position(v.position_m);
   out_uv = vec4(v.uv0, extra.uv1);
   out_colour = extra.colour;
-  out_culled =
-      io.can_cull != 0u && is_first_corner() && triangle_culled(gl_VertexIndex, io.side) ? 1u : 0u;
+  out_culled = io.can_cull != 0u && is_first_corner() && triangle_culled(gl_VertexIndex, io.side) ? 1u : 0u;
   gl_Position = vec4(unwrap_of(vertex) * 2.0 - 1.0, 0.5, 1.0);
 }

@@ -29,7 +29,7 @@ class HostDepth {
  public:
   HostDepth(gpu::PipelineLibrary& library, const HostDepthFormat& format);
 
-  /// Neither lights nor maps of the heads are needed.
+  /// Draws all heads: what is visible is known of another camera. Needs neither their lights nor their maps.
   void record(gpu::Cmd& cmd, const HostDepthTarget& target, std::span<const Head> heads) const;
 
  private:

@@ -25,8 +25,8 @@ layout(location = 8) out vec4 out_face;  // LabelVertexIo
 layout(location = 9) flat out uint out_kind;
 
 // The same products and sums for both frames: what stands still has a motion of 0 exactly.
-vec4 clip_at(mat4 clip_from_world, SimilarityIo i, PlacementIo placement, vec3 position_m) {
-  return clip_position(clip_from_world, world_position(i, placed_position(placement, position_m)));
+vec4 clip_at(mat4 clip_from_world, SimilarityIo s, PlacementIo placement, vec3 position_m) {
+  return clip_position(clip_from_world, world_position(s, placed_position(placement, position_m)));
 }
 
 void main() {
