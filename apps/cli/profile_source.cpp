@@ -10,7 +10,7 @@
 #include "base/settings/names.h"
 #include "base/settings/profile_fields.h"
 #include "head/pigments/maps.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "image/codec.h"
 #include "tissue/gaussians/exchange.h"
 #include "tissue/optics/inversion.h"

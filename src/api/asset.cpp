@@ -11,8 +11,8 @@
 #include "base/core/error.h"
 #include "base/core/hooks.h"
 #include "base/settings/check.h"
+#include "head/scene/arrays/from_arrays.h"
 #include "head/scene/import/complete.h"
-#include "head/scene/import/from_arrays.h"
 #include "head/scene/surface/measured.h"
 #include "render/setup/preparation.h"
 

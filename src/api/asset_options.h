@@ -6,7 +6,7 @@
 
 #include "dermis/asset.h"
 #include "head/scene/asset_data.h"
-#include "head/scene/import/load.h"
+#include "head/scene/import/load_options.h"
 
 namespace dermis::api {
 

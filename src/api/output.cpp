@@ -98,13 +98,13 @@ void check_light_is_stored(const techniques::Shown& shown, const std::string& na
     throw input_error("",
                       "output.show '{}' is not stored from here: with {} of {} texels per side all terms are "
                       "lit per pixel; without quality.depth all are stored",
-                      name, side, setup.plan.map_size);
+                      name, side, setup.plan.most_side);
   if (shown.needs == Needs::term && shown.term < mapped.first_written)
     throw input_error(
         "",
         "output.show '{}' is not stored from here: with {} of {} texels per side the terms before "
         "blur:{} are lit per pixel; without quality.depth all are stored",
-        name, side, setup.plan.map_size, setup.plan.skin[mesh].first_mapped + mapped.first_written);
+        name, side, setup.plan.most_side, setup.plan.skin[mesh].first_mapped + mapped.first_written);
 }
 
 }  // namespace
@@ -263,7 +263,7 @@ void read_picture(Picture& picture, frame::GraphExecutor& executor, const techni
   const gpu::TextureDesc& desc = executor.resources().texture(shown.map).desc();
   picture.width = static_cast<int>(desc.width);
   picture.height = static_cast<int>(desc.height);
-  picture.linear_rgba = values_of(read(shown.map, shown.layer), shown.as, setup.plan.map_size);
+  picture.linear_rgba = values_of(read(shown.map, shown.layer), shown.as, setup.plan.most_side);
   if (shown.used_square) crop(picture, shown.origin, static_cast<int>(setup.heads.back().detail.side));
   picture.display_rgba = display_values(picture.linear_rgba, shown.as == techniques::Shown::As::light);
 }

@@ -43,7 +43,7 @@ gpu::Texture written_map(gpu::Device& device, const std::string& name, std::uint
 
 std::shared_ptr<PosedInstances::Posed> PosedInstances::make(gpu::Device& device, const AssetPointer& asset) {
   passes::GpuAsset& on_device = *asset->gpu;
-  on_device.make_rig(device, *asset->data, asset->data->skin);
+  on_device.make_rig(device, *asset->data);
   auto posed = std::make_shared<Posed>();
   posed->asset = asset;
   posed->has_shape = asset->has_shape;

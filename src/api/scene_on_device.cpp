@@ -36,7 +36,7 @@ class UploadTime {
 void upload_asset(gpu::PipelineLibrary& library, SharedAsset& asset) {
   if (asset.gpu) return;
   const UploadTime time(asset);
-  asset.gpu.emplace(library, *asset.data, asset.data->skin);
+  asset.gpu.emplace(library, *asset.data);
 }
 
 // Finds what each point of the skin sees of its surroundings.

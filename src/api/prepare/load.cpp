@@ -15,7 +15,7 @@
 #include "base/core/known_names.h"
 #include "dermis/scene.h"
 #include "head/builtin_head/builtin_head.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 
 namespace dermis {
 namespace {

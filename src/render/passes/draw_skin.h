@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "gpu/cmd.h"
-#include "render/passes/asset/posed.h"
+#include "render/passes/asset/offer.h"
 #include "render/passes/bindings.h"
 
 namespace dermis::passes {

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/core/assert.h"
 #include "gpu/formats.h"
 #include "render/shared/scene_io.h"
 #include "render/techniques/mapped_terms.h"
@@ -46,6 +47,8 @@ passes::FrameData frame_data(gpu::FrameMemory& memory, const FrameSetup& setup,
     head.first_mesh = model.first_mesh;
     if (outputs.map_places.empty()) continue;
     head.map_places = outputs.map_places[i];
+    for (const passes::MapPlace& place : head.map_places)
+      DERMIS_ASSERT_LE(head.detail.side, place.square_side);
     head.mapped_terms = techniques::mapped_terms_of(setup.plan, model, head.detail);
   }
   return data;

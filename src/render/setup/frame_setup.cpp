@@ -321,7 +321,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
 
   PoolHeads heads{.count = static_cast<std::uint32_t>(setup.heads.size())};
   for (const passes::Head& head : setup.heads)
-    heads.most_side = std::max(heads.most_side, every_view ? plan.map_size : head.detail.side);
+    heads.most_side = std::max(heads.most_side, every_view ? plan.most_side : head.detail.side);
   set_up_pool(plan, *setup.technique, heads, s, device);
 }
 
@@ -338,7 +338,7 @@ double clip_margin_m(const FrameSetup& setup, const RenderSettings& s) {
 
 void warn_coarse(const PlacedScene& scene, const FrameSetup& setup) {
   const auto widest_texels = [&](const techniques::PlannedMesh& part) {
-    return std::sqrt(part.profile.max_variance_mm2()) * part.least_uv_per_mm * part.map_size;
+    return std::sqrt(part.profile.max_variance_mm2()) * part.least_uv_per_mm * part.most_side;
   };
   const techniques::PlannedMesh* worst = nullptr;
   for (const techniques::PlannedMesh& part : setup.plan.skin)
@@ -352,7 +352,7 @@ void warn_coarse(const PlacedScene& scene, const FrameSetup& setup) {
       "{}: a twentieth of skin '{}' has {:.2g} texels per mm of light map or fewer: light does not scatter "
       "there. Coordinates that fill more of the square hold more, or a larger quality.map_size, where that "
       "bounds the maps ({} texels are taken)",
-      asset.name, asset.skin[source.mesh].name, worst->least_uv_per_mm * worst->map_size, worst->map_size);
+      asset.name, asset.skin[source.mesh].name, worst->least_uv_per_mm * worst->most_side, worst->most_side);
 }
 
 std::vector<passes::Head> every_size(const FrameSetup& setup, const RenderSettings& settings) {

@@ -47,17 +47,17 @@ passes::MapDetail finest_of(const FrameSetup& setup, std::uint32_t number, std::
 // Has maps hold what shows, and no more.
 void hold_what_shows(FrameSetup& setup, std::uint32_t limit, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
-  plan.map_size = 0;
+  plan.most_side = 0;
 
   for (std::uint32_t number = 0; number < plan.models.size(); ++number) {
     const techniques::Model& model = plan.models[number];
     const passes::MapDetail finest = finest_of(setup, number, limit);
     for (passes::Head& head : setup.heads)
       if (head.model == number) head.detail.side = std::min(head.detail.side, finest.side);
-    if (model.meshes > 0) plan.map_size = std::max(plan.map_size, finest.side);
+    if (model.meshes > 0) plan.most_side = std::max(plan.most_side, finest.side);
 
     for (techniques::PlannedMesh& part : std::span(plan.skin).subspan(model.first_mesh, model.meshes)) {
-      part.map_size = finest.side;
+      part.most_side = finest.side;
       part.first_mapped = techniques::first_mapped(part, finest);
       const auto is_coarse = [&](const passes::Head& head) {
         return head.model == number && head.visible && techniques::entered_share(part, head.detail) > 0;
@@ -71,8 +71,8 @@ void hold_what_shows(FrameSetup& setup, std::uint32_t limit, bool every_view) {
 }  // namespace
 
 std::vector<std::uint32_t> map_sides(const techniques::FrameSettings& plan, const RenderSettings& s) {
-  if (!plan.optimise.depth) return {plan.map_size};
-  if (plan.mixes()) return techniques::sides_by_need(plan.map_size);
+  if (!plan.optimise.depth) return {plan.most_side};
+  if (plan.mixes()) return techniques::sides_by_need(plan.most_side);
   const std::vector<int> sides = paper_sides(s);
   return {sides.begin(), sides.end()};
 }
@@ -87,7 +87,7 @@ void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSet
     // The plan of a host must serve every view: it has no close-ups.
     if (plan.host && plan.mixes())
       detail.pixels_per_mm = std::min(detail.pixels_per_mm, before_close_ups(plan, model));
-    detail.side = model.meshes > 0 ? plan.skin[model.first_mesh].map_size : plan.map_size;
+    detail.side = model.meshes > 0 ? plan.skin[model.first_mesh].most_side : plan.most_side;
     if (plan.mixes())
       detail.side = techniques::side_by_need(plan, model, detail.pixels_per_mm, detail.side);
     else if (const scene::AssetData& asset = *scene.instances[head.instance].asset;
@@ -99,7 +99,7 @@ void set_head_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSet
 void set_up_map_sides(FrameSetup& setup, const PlacedScene& scene, const RenderSettings& s, bool every_view) {
   techniques::FrameSettings& plan = setup.plan;
   const auto limit = static_cast<std::uint32_t>(s.quality.map_size);
-  plan.set_map_size(limit);
+  plan.set_most_side(limit);
   if (plan.mixes()) plan.stretch_side = std::min(limit, most_stretch_side);
 
   set_head_sides(setup, scene, s);

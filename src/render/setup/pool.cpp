@@ -16,13 +16,13 @@ constexpr double default_maps_mb = 512;      // if those take less
 constexpr double default_shadows_mb = 512;   // beyond those of as many heads
 constexpr std::uint32_t most_together = 64;  // heads
 
-// Returns a side that holds `most_side` texels, by steps of an eighth of a power of two of T_max. A head that
+// Returns a side that holds `used_side` texels, by steps of an eighth of a power of two of T_max. A head that
 // comes nearer changes the plan four times until its map has twice the side.
-std::uint32_t side_of_squares(std::uint32_t map_size, std::uint32_t most_side) {
-  std::uint32_t octave = map_size;
-  while (octave % 16 == 0 && octave / 2 >= most_side) octave /= 2;
+std::uint32_t side_of_squares(std::uint32_t most_side, std::uint32_t used_side) {
+  std::uint32_t octave = most_side;
+  while (octave % 16 == 0 && octave / 2 >= used_side) octave /= 2;
   const std::uint32_t step = std::max(1u, octave / 8);
-  return std::min(octave, (most_side + step - 1) / step * step);
+  return std::min(octave, (used_side + step - 1) / step * step);
 }
 
 double budget_mb(double largest_square_mb, const RenderSettings& s, const DeviceTraits& device) {
@@ -60,7 +60,7 @@ double heads_in_shadow(const techniques::FrameSettings& plan, double shadow_mb, 
 void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& technique,
                  const PoolHeads& heads, const RenderSettings& s, const DeviceTraits& device) {
   plan.heads_per_batch = 1;
-  plan.square_side = plan.map_size;
+  plan.square_side = plan.most_side;
   if (plan.skin.empty() || !technique.has_light_maps) return;
 
   const auto mb = [](std::uint64_t bytes) { return static_cast<double>(bytes) / 1e6; };
@@ -70,9 +70,9 @@ void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& t
     throw input_error("",
                       "quality.map_budget_mb {} does not hold the light maps of one head: at "
                       "{} texels per side they take {:.0f} MB",
-                      budget, plan.map_size, std::ceil(largest_mb));
+                      budget, plan.most_side, std::ceil(largest_mb));
 
-  plan.square_side = side_of_squares(plan.map_size, heads.most_side);
+  plan.square_side = side_of_squares(plan.most_side, heads.most_side);
   if (technique.as_published) return;
   const techniques::MapMemory memory = techniques::map_memory(technique, plan);
   const std::uint32_t squares = squares_in_budget(budget, mb(memory.light_maps), plan.square_side, device);

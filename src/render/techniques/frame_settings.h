@@ -29,7 +29,7 @@ struct PlannedMesh {
   gaussians::Rgb unscattered{};
 
   /// T_max of its heads: less than that of the plan where others need more.
-  std::uint32_t map_size = 2048;
+  std::uint32_t most_side = 2048;
   /// The terms of `profile` that light maps may hold, all from this one on; the others are lit at the pixel.
   std::uint32_t first_mapped = 0;
   /// Some head is so far away that pixels read the light before any blur in place of the terms before
@@ -104,7 +104,7 @@ struct FrameSettings {
   std::uint32_t width = 1280, height = 720;  ///< pixels
   std::uint32_t samples = 4;                 ///< per pixel, 1 or 4
   std::uint32_t light_samples = 2;           ///< of a pixel that one surface covers, 1 or 2
-  std::uint32_t map_size = 2048;             ///< T_max, texels per side
+  std::uint32_t most_side = 2048;            ///< T_max, texels per side
   std::uint32_t stretch_side = 1024;         ///< of the maps of the metric, texels
   std::uint32_t shadow_size = 1024;          ///< texels per side
   std::uint32_t shadow_layers = 1;           ///< of one head, at least 1
@@ -151,9 +151,9 @@ struct FrameSettings {
   bool operator==(const FrameSettings&) const = default;
 
   /// Sets T_max of the plan and of its meshes, and all sides that follow it.
-  void set_map_size(std::uint32_t side) {
-    map_size = stretch_side = square_side = side;
-    for (PlannedMesh& part : skin) part.map_size = side;
+  void set_most_side(std::uint32_t side) {
+    most_side = stretch_side = square_side = side;
+    for (PlannedMesh& part : skin) part.most_side = side;
   }
   std::uint32_t head_count() const { return static_cast<std::uint32_t>(heads.size()); }
   std::uint32_t shadow_sets() const { return keep_shadows ? head_count() : heads_per_batch; }
@@ -175,7 +175,7 @@ struct FrameSettings {
     return part.max_texels_per_mm(side) / (mixes() ? 1.5 : 1);
   }
   double chain_texels_per_mm(const PlannedMesh& part) const {
-    return chain_texels_per_mm(part, part.map_size);
+    return chain_texels_per_mm(part, part.most_side);
   }
   bool has_skin() const { return parts() > 0; }
   passes::PictureFormat picture_format() const {

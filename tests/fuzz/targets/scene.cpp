@@ -9,7 +9,7 @@
 
 #include "api/rig_pose.h"
 #include "head/scene/framing.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "head/scene/surface/coverage.h"
 #include "head/scene/surface/fine_normals.h"
 #include "head/scene/surface/gutters.h"

@@ -10,6 +10,7 @@
 #include "gpu/device.h"
 #include "head/scene/surface/unwrap.h"
 #include "image/colour.h"
+#include "render/passes/asset/offer.h"
 #include "render/passes/bindings.h"
 #include "render/passes/clear_buffers.h"
 #include "render/passes/frame_data.h"
@@ -58,7 +59,7 @@ class Paint {
     cmd.begin_rendering(std::span(&colour, 1), {}, {target.desc().width, target.desc().height}, true);
 
     passes::Bindings bindings;
-    frame.heads[0].asset->skin[0].offer(bindings);
+    passes::offer_mesh(frame.heads[0], 0, bindings);
     bindings.bind(cmd, *pipeline_);
     cmd.push(*pipeline_, settings.io);
     const passes::GpuMesh& mesh = frame.heads[0].asset->skin[0];
@@ -172,17 +173,18 @@ passes::Head head_of(const passes::GpuAsset& asset, const passes::GpuLook& look,
 bool available() { return bench() != nullptr; }
 
 Result run(const Experiment& e) {
-  std::vector<scene::SkinMesh> skin = scene::skin_meshes(e.scene);
-  const double density =
-      scene::unwrap_density(skin[0], e.scene.mm_per_unit).largest_uv_per_mm.p95 * e.map_size;
+  scene::AssetData asset = e.scene;
+  asset.skin = scene::skin_meshes(asset);
+  scene::SkinMesh& skin = asset.skin[0];
+  const double density = scene::unwrap_density(skin, asset.mm_per_unit).largest_uv_per_mm.p95 * e.map_size;
   if (e.drop_shear)
-    for (glm::vec3& g : skin[0].metric) g.y = 0;
+    for (glm::vec3& g : skin.metric) g.y = 0;
 
   const ScatterProfile profile = profile_of(e);
-  passes::GpuAsset gpu_asset(bench()->library, e.scene, skin);
+  passes::GpuAsset gpu_asset(bench()->library, asset);
   const passes::GpuLook look = gpu_asset.make_look(bench()->device, {});
   if (e.gutters)
-    gpu_asset.make_gutters(bench()->device, 0, skin[0], static_cast<std::uint32_t>(e.map_size),
+    gpu_asset.make_gutters(bench()->device, 0, skin, static_cast<std::uint32_t>(e.map_size),
                            passes::gutter_width(profile, density));
 
   passes::FramePlan plan;
@@ -226,7 +228,7 @@ Result run(const Experiment& e) {
   data.heads = {head_of(gpu_asset, look, side)};
   std::optional<Moved> moved;
   if (e.pose) {
-    gpu_asset.make_rig(bench()->device, e.scene, skin);
+    gpu_asset.make_rig(bench()->device, asset);
     moved.emplace(bench()->device, gpu_asset, *e.pose);
     data.heads[0].posed = &moved->shape;
     if (!e.keep_metric) data.moves = {moved->move};

@@ -8,7 +8,7 @@
 #include "api/posed_instances.h"
 #include "api/rig_pose.h"
 #include "gpu/device.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "head/scene/surface/measured.h"
 #include "render/passes/pose/move_rig/move_rig.h"
 #include "render/passes/shaders.h"
@@ -41,7 +41,7 @@ class MovedOnDevice : public testing::Test {
     const LogLines quiet;
     scene_ = scene::measured(scene::load_gltf(file));
     asset_ = std::make_shared<api::SharedAsset>(api::SharedAsset{.data = scene_});
-    asset_->gpu.emplace(*library_, *scene_, scene_->skin);
+    asset_->gpu.emplace(*library_, *scene_);
     on_device_ = api::SceneOnDevice({asset_, asset_});
     placed_.instances.resize(2);
   }

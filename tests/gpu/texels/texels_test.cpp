@@ -15,7 +15,7 @@
 #include "gpu/frame_memory.h"
 #include "gpu/support/renderer.h"
 #include "gpu/transfer.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "head/scene/import/shapes.h"
 #include "head/scene/surface/measured.h"
 #include "image/colour.h"
@@ -63,7 +63,7 @@ class Frames {
   Frames(std::shared_ptr<const scene::AssetData> asset, const RenderSettings& settings)
       : asset_(std::move(asset)) {
     setup_ = setup::set_up_alone(asset_, settings);
-    scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *asset_, asset_->skin);
+    scene_ = std::make_unique<passes::GpuAsset>(bench()->library, *asset_);
     look_ = scene_->make_look(bench()->device, {});
     outputs_ = setup_.technique->build(plan_, setup_.plan);
     executor_ = std::make_unique<frame::Executor<passes::FrameData>>(bench()->library, plan_);

@@ -134,8 +134,9 @@ class OnTheDevice : public testing::Test {
     }
     return made->library;
   }
-  static passes::GpuAsset uploaded(const scene::AssetData& scene) {
-    return {library(), scene, scene::skin_meshes(scene)};
+  static passes::GpuAsset uploaded(scene::AssetData asset) {
+    asset.skin = scene::skin_meshes(asset);
+    return {library(), asset};
   }
 };
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "head/scene/import/from_arrays.h"
+#include "head/scene/arrays/from_arrays.h"
 #include "support.h"
 
 namespace dermis::scene::test {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "head/scene/import/from_arrays.h"
+#include "head/scene/arrays/from_arrays.h"
 #include "head/scene/import/limits.h"
 #include "support.h"
 #include "support/thrown.h"

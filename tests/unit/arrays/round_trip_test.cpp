@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Scenes of real files, taken apart into arrays and put together again, are the same scenes.
-#include "head/scene/import/from_arrays.h"
+#include "head/scene/arrays/from_arrays.h"
 #include "support.h"
 #include "support/built_in.h"
 #include "support/written_out.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "head/scene/import/from_arrays.h"
+#include "head/scene/arrays/from_arrays.h"
 #include "head/scene/surface/unwrap.h"
 #include "support.h"
 

@@ -22,8 +22,8 @@ FrameSettings like_the_scan(std::uint32_t most_side = 2048) {
                     .max_uv_per_mm = 2.5 / 1024,
                     .mean_uv_per_mm = 1.36 / 1024,
                     .wide_mm = 1});
-  s.set_map_size(near_side(s.skin[0], most_side));
-  s.skin[0].first_mapped = first_mapped(s.skin[0], {s.map_size, 0});
+  s.set_most_side(near_side(s.skin[0], most_side));
+  s.skin[0].first_mapped = first_mapped(s.skin[0], {s.most_side, 0});
   s.models = {{.meshes = 1}};
   s.optimise.depth = true;
   return s;
@@ -38,10 +38,10 @@ TEST(MapSide, StepsAreHalfOctaves) {
 // 1.41 mm take 0.9 texels of 480 per side, 2.72 mm of 249.
 TEST(MapSide, HoldsTheWideTerms) {
   const FrameSettings s = like_the_scan();
-  EXPECT_EQ(s.map_size, 512u);
+  EXPECT_EQ(s.most_side, 512u);
   EXPECT_EQ(s.skin[0].first_mapped, 4u);
   EXPECT_EQ(s.skin[0].mapped().size(), 2u);
-  EXPECT_EQ(like_the_scan(300).map_size, 300u) << "no more than it may have";
+  EXPECT_EQ(like_the_scan(300).most_side, 300u) << "no more than it may have";
   EXPECT_EQ(like_the_scan(300).skin[0].first_mapped, 4u);
   EXPECT_EQ(like_the_scan(150).skin[0].first_mapped, 5u);
   EXPECT_EQ(like_the_scan(32).skin[0].first_mapped, 5u) << "a map has a term";
@@ -60,9 +60,9 @@ TEST(MapSide, HoldsTheWideTerms) {
 // From near to far: both terms, the widest, none. Coarse pixels need fewer texels. T never rises.
 TEST(MapSide, FollowsThePixels) {
   const FrameSettings s = like_the_scan();
-  std::uint32_t before = s.map_size;
+  std::uint32_t before = s.most_side;
   for (double pixels_per_mm = 2; pixels_per_mm > 0.01; pixels_per_mm /= 1.1) {
-    const std::uint32_t side = side_by_need(s, s.models[0], pixels_per_mm, s.map_size);
+    const std::uint32_t side = side_by_need(s, s.models[0], pixels_per_mm, s.most_side);
     const bool narrow = 1.411 * pixels_per_mm > 0.6, wide = 2.722 * pixels_per_mm > 0.35;
     const bool coarse = 1.411 * pixels_per_mm < 1.2;
     EXPECT_EQ(side, narrow ? (coarse ? 384u : 512u) : wide ? 256u : 32u) << pixels_per_mm;
@@ -110,7 +110,7 @@ TEST(MappedTerms, FadeBeforeTheyAreLeftOut) {
   const FrameSettings s = like_the_scan();
   std::array<float, 2> before{1, 1};
   for (double pixels_per_mm = 3; pixels_per_mm > 0.01; pixels_per_mm /= 1.01) {
-    const passes::MapDetail detail{side_by_need(s, s.models[0], pixels_per_mm, s.map_size), pixels_per_mm};
+    const passes::MapDetail detail{side_by_need(s, s.models[0], pixels_per_mm, s.most_side), pixels_per_mm};
     const passes::MappedTerms terms = mapped_terms(s, 0, detail);
     for (std::size_t i = 0; i < 2; ++i) {
       const float share = terms.any ? terms.shares[i] : 0;
@@ -154,7 +154,7 @@ TEST(MappedTerms, AreAllWhereAHostDrawsTheLight) {
 // of 1.6 mm that one kernel holds on the whole map: 40.96 mm^2.
 TEST(MappedTerms, TheChainStartsWithinReachOfOneKernel) {
   FrameSettings s = like_the_scan();
-  s.set_map_size(1024);
+  s.set_most_side(1024);
   s.skin[0].first_mapped = 0;
   s.skin[0].profile.terms = {{.variance_mm2 = 0.01, .weight = {0.5, 0.5, 0.5}},
                              {.variance_mm2 = 100, .weight = {0.5, 0.5, 0.5}}};

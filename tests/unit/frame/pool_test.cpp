@@ -19,7 +19,7 @@ TEST(Pool, HeadsTogetherFitTheLayersOfATexture) {
     plan.skin.push_back({.profile = gaussians::skin_six()});
     plan.models = {{.meshes = 1}};
     plan.heads.assign(64, 0);
-    plan.set_map_size(64);
+    plan.set_most_side(64);
     plan.shadow_size = 48;
     plan.shadow_layers = lamps;
     plan.optimise.cull = true;

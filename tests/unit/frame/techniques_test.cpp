@@ -25,9 +25,9 @@ struct Case {
 // Some heads of one model with some equal skin meshes.
 void set_heads(techniques::FrameSettings& s, std::uint32_t heads, std::size_t parts, bool more = false) {
   s.skin.assign(parts, {.profile = gaussians::skin_six(),
-                        .max_uv_per_mm = 4.0 / s.map_size,
-                        .mean_uv_per_mm = 4.0 / s.map_size});
-  s.set_map_size(s.map_size);
+                        .max_uv_per_mm = 4.0 / s.most_side,
+                        .mean_uv_per_mm = 4.0 / s.most_side});
+  s.set_most_side(s.most_side);
   for (std::uint32_t i = 0; i < parts; ++i) s.skin[i].unwrap = s.skin[i].in_model = i;
   s.models = {{.meshes = static_cast<std::uint32_t>(parts), .has_surfaces = more, .has_blended = more}};
   s.heads.assign(heads, 0);
@@ -35,11 +35,11 @@ void set_heads(techniques::FrameSettings& s, std::uint32_t heads, std::size_t pa
 
 // Meshes whose blurs differ in their number of steps, and in their terms on maps.
 void add_blurs_that_differ(std::vector<Case>& all) {
-  techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+  techniques::FrameSettings s{.width = 64, .height = 48, .most_side = 256, .shadow_size = 64};
   set_heads(s, 2, 3);
-  s.skin[0].max_uv_per_mm = s.skin[0].mean_uv_per_mm = 1.0 / s.map_size;
+  s.skin[0].max_uv_per_mm = s.skin[0].mean_uv_per_mm = 1.0 / s.most_side;
   s.skin[0].first_mapped = 4;
-  s.skin[1].max_uv_per_mm = 40.0 / s.map_size;
+  s.skin[1].max_uv_per_mm = 40.0 / s.most_side;
   s.skin[2].profile.terms.resize(2);
   s.heads_per_batch = 2;
   s.optimise = {.cull = true, .depth = true, .clip = true};
@@ -58,7 +58,7 @@ std::vector<Case> cases() {
             techniques::FrameSettings s{.width = 64,
                                         .height = 48,
                                         .samples = samples,
-                                        .map_size = 64,
+                                        .most_side = 64,
                                         .shadow_size = 64,
                                         .shadow_layers = 2};
             set_heads(s, heads, parts, more);
@@ -73,7 +73,8 @@ std::vector<Case> cases() {
   // Take three heads two at a time.
   for (const std::size_t parts : {1u, 2u})
     for (const bool sparse : {false, true}) {
-      techniques::FrameSettings s{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
+      techniques::FrameSettings s{
+          .width = 64, .height = 48, .samples = 1, .most_side = 64, .shadow_size = 64};
       set_heads(s, 3, parts);
       s.heads_per_batch = 2;
       s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
@@ -82,7 +83,8 @@ std::vector<Case> cases() {
                      &techniques::find_technique("texture-space"), std::move(s)});
     }
 
-  techniques::FrameSettings parts{.width = 64, .height = 48, .samples = 1, .map_size = 64, .shadow_size = 64};
+  techniques::FrameSettings parts{
+      .width = 64, .height = 48, .samples = 1, .most_side = 64, .shadow_size = 64};
   parts.meshes_per_batch = 2;
   parts.optimise = {.cull = true, .depth = true, .clip = true};
   parts.translucency = true;
@@ -92,7 +94,7 @@ std::vector<Case> cases() {
 
   // Heads of two assets, one of them with two profiles, in batches that hold some of each.
   for (const std::uint32_t heads_per_batch : {1u, 3u, 5u}) {
-    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 64, .shadow_size = 64};
+    techniques::FrameSettings s{.width = 64, .height = 48, .most_side = 64, .shadow_size = 64};
     set_heads(s, 5, 4);
     s.skin[3].unwrap = s.skin[2].unwrap;
     for (std::uint32_t i = 2; i < 4; ++i) s.skin[i].in_model = 0;
@@ -159,7 +161,7 @@ TEST(TechniqueFrames, HaveNoBarrierTooMany) {
 // as it was.
 TEST(TechniqueFrames, GrowByThePassesOfLabels) {
   for (const techniques::Technique* technique : techniques::techniques()) {
-    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 64, .shadow_size = 64};
+    techniques::FrameSettings s{.width = 64, .height = 48, .most_side = 64, .shadow_size = 64};
     set_heads(s, 2, 2, true);
     passes::FramePlan without, with;
     EXPECT_FALSE(technique->build(without, s).labels.valid());
@@ -184,7 +186,7 @@ TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
     for (const bool translucency : {false, true}) {
       if (technique->as_published) continue;
       const auto passes_of = [&](std::uint32_t heads, std::uint32_t models) {
-        techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+        techniques::FrameSettings s{.width = 64, .height = 48, .most_side = 256, .shadow_size = 64};
         set_heads(s, heads, models, true);
         s.models.clear();
         for (std::uint32_t m = 0; m < models; ++m) {
@@ -209,9 +211,9 @@ TEST(TechniqueFrames, OfManyHeadsHaveThePassesOfOne) {
 // A short chain beside a long one adds no pass, and a dense mesh no more than its own steps.
 TEST(TechniqueFrames, ChainsThatDifferTakeTheirCommonStepsTogether) {
   const auto blurs = [](const std::vector<double>& densities, std::size_t terms_of_last) {
-    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+    techniques::FrameSettings s{.width = 64, .height = 48, .most_side = 256, .shadow_size = 64};
     set_heads(s, 1, densities.size());
-    for (std::size_t i = 0; i < densities.size(); ++i) s.skin[i].max_uv_per_mm = densities[i] / s.map_size;
+    for (std::size_t i = 0; i < densities.size(); ++i) s.skin[i].max_uv_per_mm = densities[i] / s.most_side;
     s.skin.back().profile.terms.resize(terms_of_last);
     passes::FramePlan plan;
     techniques::find_technique("texture-space").build(plan, s);
@@ -226,9 +228,9 @@ TEST(TechniqueFrames, ChainsThatDifferTakeTheirCommonStepsTogether) {
 
 // The lists of tiles are made for all meshes at once.
 TEST(TechniqueFrames, ListTheTilesOnce) {
-  techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+  techniques::FrameSettings s{.width = 64, .height = 48, .most_side = 256, .shadow_size = 64};
   set_heads(s, 1, 2);
-  s.skin[1].max_uv_per_mm = 40.0 / s.map_size;
+  s.skin[1].max_uv_per_mm = 40.0 / s.most_side;
   s.optimise = {.cull = true, .depth = true, .clip = true};
   passes::FramePlan plan;
   techniques::find_technique("texture-space").build(plan, s);
@@ -246,7 +248,7 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
   for (const bool sparse : {false, true})
     for (const bool more : {false, true}) {
       techniques::FrameSettings s{
-          .width = 64, .height = 48, .map_size = 256, .shadow_size = 64, .shadow_layers = 3};
+          .width = 64, .height = 48, .most_side = 256, .shadow_size = 64, .shadow_layers = 3};
       set_heads(s, 4, 1);
       s.optimise = {.cull = sparse, .depth = true, .clip = sparse};
       s.translucency = more;
@@ -267,7 +269,7 @@ TEST(TechniqueFrames, MapMemoryIsThatOfOneMoreHead) {
 // Light maps of two parts at a time take the same memory however many parts follow one another.
 TEST(TechniqueFrames, PartsTakeTurnsWithTheirMaps) {
   const auto plan_of = [&](std::size_t parts) {
-    techniques::FrameSettings s{.width = 64, .height = 48, .map_size = 256, .shadow_size = 64};
+    techniques::FrameSettings s{.width = 64, .height = 48, .most_side = 256, .shadow_size = 64};
     s.meshes_per_batch = 2;
     s.optimise = {.cull = true, .depth = true, .clip = true};
     s.translucency = true;

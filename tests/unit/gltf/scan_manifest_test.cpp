@@ -8,7 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "head/scene/asset_data.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "support/assets.h"
 
 namespace dermis::scene {

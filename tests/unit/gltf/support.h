@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "dermis/error.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "support/assets.h"
 #include "support/files.h"
 #include "support/log_lines.h"

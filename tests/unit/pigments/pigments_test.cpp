@@ -10,7 +10,7 @@
 #include "dermis/error.h"
 #include "head/pigments/coding.h"
 #include "head/pigments/fit.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "head/scene/import/shapes.h"
 #include "image/codec.h"
 #include "image/colour.h"

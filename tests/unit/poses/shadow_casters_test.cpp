@@ -8,7 +8,7 @@
 #include "../gltf/support.h"
 #include "api/rig_pose.h"
 #include "head/scene/framing.h"
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 #include "head/scene/surface/measured.h"
 #include "render/passes/shadow/fit.h"
 #include "render/setup/casters.h"

@@ -153,16 +153,17 @@ struct Tried {
 void leave_out_close_ups(techniques::FrameSettings& plan, const techniques::FrameSettings& before) {
   if (!plan.mixes() || !before.mixes() || plan.skin.size() != before.skin.size()) return;
   const auto same = [](const techniques::PlannedMesh& a, const techniques::PlannedMesh& b) {
-    return a.map_size == b.map_size && a.first_mapped == b.first_mapped && a.reads_entered == b.reads_entered;
+    return a.most_side == b.most_side && a.first_mapped == b.first_mapped &&
+           a.reads_entered == b.reads_entered;
   };
   if (std::ranges::equal(plan.skin, before.skin, same)) return;
-  plan.map_size = before.map_size;
+  plan.most_side = before.most_side;
   plan.square_side = before.square_side;
   plan.heads_per_batch = before.heads_per_batch;
   plan.meshes_per_batch = before.meshes_per_batch;
   plan.keep_shadows = before.keep_shadows;
   for (std::size_t i = 0; i < plan.skin.size(); ++i) {
-    plan.skin[i].map_size = before.skin[i].map_size;
+    plan.skin[i].most_side = before.skin[i].most_side;
     plan.skin[i].first_mapped = before.skin[i].first_mapped;
     plan.skin[i].reads_entered = before.skin[i].reads_entered;
   }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "dermis/asset_arrays.h"
-#include "head/scene/import/load.h"
+#include "head/scene/import/load_options.h"
 
 namespace dermis::scene::arrays {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "head/scene/import/from_arrays.h"
+#include "head/scene/arrays/from_arrays.h"
 
 #include <algorithm>
 #include <array>

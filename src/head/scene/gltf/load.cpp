@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "head/scene/import/load.h"
+#include "head/scene/gltf/load.h"
 
 #include "base/core/hooks.h"
 #include "base/core/log.h"

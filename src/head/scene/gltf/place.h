@@ -7,7 +7,7 @@
 #include <map>
 
 #include "head/scene/gltf/mesh.h"
-#include "head/scene/import/load.h"
+#include "head/scene/import/load_options.h"
 
 namespace dermis::scene::gltf {
 

@@ -223,14 +223,6 @@ void GpuMaterial::offer(Bindings& bindings) const {
       .add("map_alpha_max", alpha_max);
 }
 
-void GpuMesh::offer(Bindings& bindings) const {
-  bindings.add("Vertices", vertices)
-      .add("VertexExtras", vertex_extras)
-      .add("SkinVertices", skin_vertices)
-      .add("Indices", indices)
-      .add("TurnedNeighbours", turned_neighbours);
-}
-
 gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
                         std::initializer_list<const std::vector<float>*> layers) {
   const auto texels = static_cast<std::uint32_t>(side);
@@ -251,15 +243,14 @@ gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
   return map;
 }
 
-GpuAsset::GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene,
-                   const std::vector<scene::SkinMesh>& skin_meshes) {
+GpuAsset::GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene) {
   gpu::Device& device = library.device();
   mm_per_unit = static_cast<float>(scene.mm_per_unit);
   white_ = single_texel(device, "white", {255, 255, 255, 255});
   white_layers_ = single_texel(device, "white layer", {255, 255, 255, 255}, true);
   flat_normal_ = single_texel(device, "flat normal", {128, 128, 255, 255});
 
-  Steps steps("bringing the scene to the device", scene.materials.size() + skin_meshes.size());
+  Steps steps("bringing the scene to the device", scene.materials.size() + scene.skin.size());
   for (const scene::Material& m : scene.materials) {
     MaterialMaps material;
     material.name = m.name;
@@ -278,7 +269,7 @@ GpuAsset::GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene,
 
     auto maps = maps_of(m);
     const gpu::Texture* fine = nullptr;
-    if (const auto normals = scene::fine_normals(scene, materials_.size(), skin_meshes)) {
+    if (const auto normals = scene::fine_normals(scene, materials_.size(), scene.skin)) {
       maps[MAP_NORMAL] = m.skin_settings.displacement;
       maps[MAP_NORMAL].scale = 1;
       fine = &upload_map(library, m.name + " fine normals", *normals, generated, false);
@@ -309,8 +300,8 @@ GpuAsset::GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene,
   }
 
   directional_albedo = upload_directional_albedo(device);
-  for (std::size_t i = 0; i < skin_meshes.size(); ++i) {
-    skin.push_back(upload_skin(device, skin_meshes[i], i));
+  for (std::size_t i = 0; i < scene.skin.size(); ++i) {
+    skin.push_back(upload_skin(device, scene.skin[i], i));
     steps.done();
   }
   surfaces = upload_surfaces(device, scene);
@@ -366,9 +357,8 @@ void GpuAsset::make_welded(gpu::Device& device, std::size_t number, const scene:
                  .smoothing = curvature_smoothing(skin_mesh, double{mm_per_unit})};
 }
 
-void GpuAsset::make_rig(gpu::Device& device, const scene::AssetData& scene,
-                        const std::vector<scene::SkinMesh>& skin_meshes) {
-  if (!rig) rig.emplace(upload_rig(device, scene, skin_meshes, surfaces));
+void GpuAsset::make_rig(gpu::Device& device, const scene::AssetData& scene) {
+  if (!rig) rig.emplace(upload_rig(device, scene, surfaces));
 }
 
 void GpuAsset::give_shape(gpu::Device& device, std::size_t number, const scene::SkinMesh& mesh,

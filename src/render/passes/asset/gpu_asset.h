@@ -126,9 +126,6 @@ struct GpuMesh {
   /// drawn
   gpu::Buffer label_vertices;
   std::vector<GpuDraw> draws;
-
-  /// "Vertices", "VertexExtras", "SkinVertices", "Indices", "TurnedNeighbours"
-  void offer(Bindings& bindings) const;
 };
 
 /// Returns an RGBA16F texture over an unwrap, from side x side x 4 values per layer; values beyond the range
@@ -138,9 +135,9 @@ gpu::Texture unwrap_map(gpu::Device& device, const std::string& name, int side,
 
 class GpuAsset {
  public:
-  /// Uploads an asset. Throws DeviceError: a map or buffer over the device's limits, no memory.
-  GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene,
-           const std::vector<scene::SkinMesh>& skin);
+  /// Uploads an asset that is measured. Throws DeviceError: a map or buffer over the device's limits, no
+  /// memory.
+  GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene);
 
   /// Makes the materials of instances that look like this. The asset must outlive them.
   GpuLook make_look(gpu::Device& device, const LookSettings& settings) const;
@@ -169,7 +166,7 @@ class GpuAsset {
 
   /// Makes what moves its vertices, unless it is there. The asset has a rig. Throws DeviceError: more than
   /// shaders of the device can read.
-  void make_rig(gpu::Device& device, const scene::AssetData& scene, const std::vector<scene::SkinMesh>& skin);
+  void make_rig(gpu::Device& device, const scene::AssetData& scene);
 
   float mm_per_unit = 1000;                             ///< scene::AssetData::mm_per_unit
   std::vector<GpuMesh> skin;                            ///< one per SkinMesh

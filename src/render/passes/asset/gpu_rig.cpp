@@ -75,10 +75,9 @@ gpu::Buffer make_list(gpu::Device& device, const std::string& name, const std::v
 
 }  // namespace
 
-GpuRig upload_rig(gpu::Device& device, const scene::AssetData& scene,
-                  const std::vector<scene::SkinMesh>& skin, const GpuSurfaces& surfaces) {
+GpuRig upload_rig(gpu::Device& device, const scene::AssetData& scene, const GpuSurfaces& surfaces) {
   GpuRig rig;
-  for (const scene::SkinMesh& mesh : skin) {
+  for (const scene::SkinMesh& mesh : scene.skin) {
     Builder builder(*scene.rig);
     for (const scene::PrimitiveVertex& origin : mesh.origins) builder.add(origin.primitive, origin.vertex);
     const std::string name = fmt::format("skin {}", rig.parts.size());
@@ -96,7 +95,8 @@ GpuRig upload_rig(gpu::Device& device, const scene::AssetData& scene,
     for (const GpuSurfaces::Page::Part& part : page.parts)
       for (std::uint32_t v = 0; v < scene.primitives[part.primitive].vertices.size(); ++v)
         builder.add(part.primitive, v);
-    rig.parts.push_back(builder.upload(device, fmt::format("surfaces {}", rig.parts.size() - skin.size())));
+    rig.parts.push_back(
+        builder.upload(device, fmt::format("surfaces {}", rig.parts.size() - scene.skin.size())));
   }
   return rig;
 }

@@ -37,7 +37,6 @@ struct GpuRig {
 };
 
 /// Throws DeviceError: more than shaders of the device can read. The scene has a rig.
-GpuRig upload_rig(gpu::Device& device, const scene::AssetData& scene,
-                  const std::vector<scene::SkinMesh>& skin, const GpuSurfaces& surfaces);
+GpuRig upload_rig(gpu::Device& device, const scene::AssetData& scene, const GpuSurfaces& surfaces);
 
 }  // namespace dermis::passes

@@ -162,12 +162,6 @@ class SurfaceBuilder {
 
 }  // namespace
 
-void GpuSurfaces::offer(Bindings& bindings, std::uint32_t page) const {
-  bindings.add("Vertices", pages[page].vertices)
-      .add("VertexExtras", pages[page].vertex_extras)
-      .add("Placements", pages[page].placements);
-}
-
 void GpuSurfaces::record(gpu::Cmd& cmd, std::uint32_t page, const Draw& draw) const {
   cmd.draw_indexed({&pages[page].indices}, draw.index_count, draw.first_index, draw.placements,
                    draw.first_placement);

@@ -58,7 +58,6 @@ struct GpuSurfaces {
   std::vector<Group> groups;  ///< opaque and cut-out parts
   std::vector<Blended> blended;
 
-  void offer(Bindings& bindings, std::uint32_t page) const;  ///< "Vertices", "VertexExtras", "Placements"
   /// Records a draw of a group of `page`; its bindings are bound.
   void record(gpu::Cmd& cmd, std::uint32_t page, const Draw& draw) const;
 };

@@ -134,9 +134,9 @@ class Leftovers {
 
 }  // namespace
 
-GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texels) {
-  const ChartMap covered = rasterise(mesh, map_size);
-  GutterList list{.texels = scene::build_gutters(mesh, map_size, width_texels), .own = {}};
+GutterList gutter_list(const scene::SkinMesh& mesh, int side, int width_texels) {
+  const ChartMap covered = rasterise(mesh, side);
+  GutterList list{.texels = scene::build_gutters(mesh, side, width_texels), .own = {}};
   Leftovers leftovers(list.texels, covered);
   leftovers.fill_corners();
   leftovers.fill_slivers(mesh);

@@ -27,7 +27,7 @@ inline glm::uvec2 gutter_invocations(std::uint32_t count) {
   return {std::min<std::uint32_t>(count, GUTTER_ROW), (count + GUTTER_ROW - 1) / GUTTER_ROW};
 }
 
-GutterList gutter_list(const scene::SkinMesh& mesh, int map_size, int width_texels);
+GutterList gutter_list(const scene::SkinMesh& mesh, int side, int width_texels);
 
 /// Returns a list as shaders read it.
 std::vector<io::GutterIo> packed(const GutterList& list);

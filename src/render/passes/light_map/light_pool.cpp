@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/light_map/light_pool.h"
 
-#include "base/core/assert.h"
-
 namespace dermis::passes {
 
 VkRect2D UsedSquare::area() const {
@@ -20,15 +18,8 @@ bool holds_light(const FrameData& frame, const MapSquare& square) {
 
 UsedSquare used_square(const FrameData& frame, const MapSquare& square) {
   const Head& head = head_of(frame, square);
-  UsedSquare used{square};
-  used.side = head.detail.side;
-  if (head.map_places.empty()) return used;
-
-  const MapPlace& place = head.map_places[mesh_in_asset(frame, square)];
-  used.index = place.index;
-  used.origin = place.origin;
-  DERMIS_ASSERT_LE(used.side, place.square_side);
-  return used;
+  const bool has_place = !head.map_places.empty();
+  return {square, has_place ? head.map_places[mesh_in_asset(frame, square)] : MapPlace{}, head.detail.side};
 }
 
 std::vector<UsedSquare> used_squares(const FrameData& frame, const std::vector<MapSquare>& squares) {

@@ -21,6 +21,12 @@ struct MapSquare {
   std::uint32_t mesh = 0;  ///< among the skin meshes of the plan
 };
 
+/// A skin mesh of a head, and the number of the first of its parts among those of the frame: GpuDraw::parts.
+struct SkinParts {
+  MapSquare square;
+  std::uint32_t first_part = 0;
+};
+
 inline const Head& head_of(const FrameData& frame, const MapSquare& square) {
   return frame.heads[square.head];
 }
@@ -37,10 +43,8 @@ MappedTerms terms_of(const FrameData& frame, const MapSquare& square);
 bool holds_light(const FrameData& frame, const MapSquare& square);
 
 /// A square as a frame uses it.
-struct UsedSquare : MapSquare {
-  std::uint32_t index = 0;  ///< of the square in its pool
-  glm::uvec2 origin{0};     ///< texels
-  std::uint32_t side = 0;   ///< of the used part, texels
+struct UsedSquare : MapSquare, MapPlace {
+  std::uint32_t side = 0;  ///< T, texels, in the corner of the square
   VkRect2D area() const;
 };
 UsedSquare used_square(const FrameData& frame, const MapSquare& square);

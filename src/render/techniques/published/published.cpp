@@ -209,7 +209,7 @@ std::vector<Object> objects_of(const FrameSettings& s, std::uint32_t head) {
 
 // Makes the stretch map of each unwrap.
 std::vector<frame::TextureId> add_stretch(passes::FramePlan& plan, const FrameSettings& s) {
-  const gpu::TextureDesc desc{.width = s.map_size, .height = s.map_size, .format = passes::light_format};
+  const gpu::TextureDesc desc{.width = s.most_side, .height = s.most_side, .format = passes::light_format};
   std::map<std::uint32_t, Object> by_unwrap;
   for (std::uint32_t head = 0; head < s.head_count(); ++head)
     for (const Object& object : objects_of(s, head))
@@ -252,7 +252,7 @@ void add_shows(FrameOutputs& out, passes::FramePlan& plan, const FrameSettings& 
 
   if (s.visibility) {
     const frame::TextureId visibility = plan.texture(
-        "visibility", {.width = s.map_size, .height = s.map_size, .format = passes::light_format},
+        "visibility", {.width = s.most_side, .height = s.most_side, .format = passes::light_format},
         frame::Lifetime::persistent);
     plan.add<Visibility>("visibility", {visibility},
                          {object, s.optimise.cull, s.optimise.clip, s.skin[object.mesh].cut_out});

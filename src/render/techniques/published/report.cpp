@@ -66,7 +66,7 @@ std::vector<GutterSize> gutters(const FrameSettings& settings, std::span<const p
       sizes.push_back({.mesh = mesh, .side = side, .width_texels = seam_width(part.profile, texels_per_mm)});
     };
 
-    add(settings.map_size);  // of the stretch map
+    add(settings.most_side);  // of the stretch map
     for (const passes::Head& head : heads) {
       const Model& model = settings.models[head.model];
       const bool has_mesh = mesh >= model.first_mesh && mesh - model.first_mesh < model.meshes;

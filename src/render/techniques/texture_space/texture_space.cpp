@@ -31,7 +31,7 @@ MapSquare shown_square(const FrameSettings& s) {
 // Makes the map that shows which of its texels are lit.
 frame::TextureId add_visibility(passes::FramePlan& plan, const FrameSettings& s) {
   const gpu::TextureDesc map{
-      .width = s.map_size, .height = s.map_size, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
+      .width = s.most_side, .height = s.most_side, .format = VK_FORMAT_R16G16B16A16_SFLOAT};
   const frame::TextureId visibility = plan.texture("visibility", map, frame::Lifetime::persistent);
   plan.add<passes::ShowVisibility>("visibility", {visibility},
                                    {.square = shown_square(s),

@@ -2,7 +2,7 @@
 #include "render/passes/light_map/texel_map/texel_map.h"
 
 #include "frame/resources.h"
-#include "render/passes/asset/posed.h"
+#include "render/passes/asset/offer.h"
 #include "render/passes/bindings.h"
 
 namespace dermis::passes {

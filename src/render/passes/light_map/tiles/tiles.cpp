@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "frame/resources.h"
-#include "render/passes/asset/posed.h"
+#include "render/passes/asset/offer.h"
 #include "render/passes/bindings.h"
 #include "render/passes/light_map/tiles/tiles_io.h"
 #include "render/shared/tiles_io.h"

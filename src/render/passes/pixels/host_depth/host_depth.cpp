@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/passes/pixels/host_depth/host_depth.h"
 
-#include "render/passes/asset/posed.h"
+#include "render/passes/asset/offer.h"
 #include "render/passes/draw_skin.h"
 #include "render/passes/pixels/host_depth/host_depth_io.h"
 #include "render/passes/targets.h"

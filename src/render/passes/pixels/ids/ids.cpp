@@ -55,7 +55,7 @@ void Ids::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameDa
   cmd.set_viewport(picture, false);
   cmd.set_scissor(drawn);
 
-  for (const IdMesh& mesh : settings.meshes) {
+  for (const SkinParts& mesh : settings.meshes) {
     const Head& head = head_of(frame, mesh.square);
     if (!head.is_drawn()) continue;
     const std::uint32_t number = mesh_in_asset(frame, mesh.square);

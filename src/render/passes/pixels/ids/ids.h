@@ -12,23 +12,17 @@
 
 namespace dermis::passes {
 
-/// A skin mesh of a head, and the number of the first of its parts: GpuDraw::parts.
-struct IdMesh {
-  MapSquare square;
-  std::uint32_t first_part = 0;
-};
-
 /// Returns the id of the first triangle of a part.
 constexpr std::uint32_t first_id(std::uint32_t part) { return (part + 1) << ID_TRIANGLE_BITS; }
 
 class Ids {
  public:
   struct Settings {
-    std::uint32_t samples = 1;   ///< of the depth
-    bool reversed_depth = true;  ///< near is 1
-    bool cut_out = false;        ///< some skin is cut out by its alpha
-    std::vector<IdMesh> meshes;  ///< of all heads
-    bool whole = false;          ///< clears depth beside the heads, too, which other passes read
+    std::uint32_t samples = 1;      ///< of the depth
+    bool reversed_depth = true;     ///< near is 1
+    bool cut_out = false;           ///< some skin is cut out by its alpha
+    std::vector<SkinParts> meshes;  ///< of all heads
+    bool whole = false;             ///< clears depth beside the heads, too, which other passes read
   } settings;
   struct In {
     frame::TextureId depth;                ///< cleared here

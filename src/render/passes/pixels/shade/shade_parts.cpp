@@ -7,7 +7,7 @@
 namespace dermis::passes {
 
 void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                 const ShadedMesh& shaded, const EntryBuffers& entries, const SkinShading& shading,
+                 const SkinParts& shaded, const EntryBuffers& entries, const SkinShading& shading,
                  std::span<const gpu::Pipeline* const> pipelines, Bindings bindings) {
   const Head& head = head_of(frame, shaded.square);
   if (!head.is_drawn()) return;

@@ -10,15 +10,10 @@
 
 namespace dermis::passes {
 
-struct ShadedMesh {
-  MapSquare square;
-  std::uint32_t first_part = 0;  ///< of the mesh, as for Ids
-};
-
 /// Records a dispatch for each part of the mesh, unless its head is not drawn. `pipelines`: by
 /// SkinVariant::index(). `bindings`: those of the pass, beside what the shading and the entries offer.
 void shade_parts(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame,
-                 const ShadedMesh& shaded, const EntryBuffers& entries, const SkinShading& shading,
+                 const SkinParts& shaded, const EntryBuffers& entries, const SkinShading& shading,
                  std::span<const gpu::Pipeline* const> pipelines, Bindings bindings = {});
 
 }  // namespace dermis::passes

@@ -133,10 +133,10 @@ gpu::Constants SkinShading::constants(const SkinVariant& variant) const {
 io::ShadeIo SkinShading::io(const FrameData& frame) const {
   const MappedTerms mapped = terms_of(frame, look_.square);
   const bool at_pixel = look_.terms.empty() || look_.off_map || !mapped.any;
-  const glm::uvec2 origin = used_square(frame, look_.square).origin;
+  const UsedSquare used = used_square(frame, look_.square);
   io::ShadeIo io{.weights = {},
-                 .map_origin = origin.x | origin.y << 16,
-                 .side = head_of(frame, look_.square).detail.side,
+                 .map_origin = used.origin.x | used.origin.y << 16,
+                 .side = used.side,
                  .shown_mm = mapped.shown_mm,
                  .through_rays = at_pixel ? 1u : 0u,
                  .part = 0,

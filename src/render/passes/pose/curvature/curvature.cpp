@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "frame/resources.h"
-#include "render/passes/asset/posed.h"
+#include "render/passes/asset/offer.h"
 #include "render/passes/pose/curvature/curvature_io.h"
 
 namespace dermis::passes {

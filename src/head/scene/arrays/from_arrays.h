@@ -4,7 +4,7 @@
 
 #include "dermis/asset_arrays.h"
 #include "head/scene/asset_data.h"
-#include "head/scene/import/load.h"
+#include "head/scene/import/load_options.h"
 
 namespace dermis::scene {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/passes/asset/posed.h"
+#include "render/passes/asset/offer.h"
 
 namespace dermis::passes {
 
