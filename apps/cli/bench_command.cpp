@@ -35,8 +35,8 @@ struct BenchArguments : SceneArguments {
   std::string json, html, device = "best";
 };
 
-// The paper's test at three sixteenths of its scale: as many texels per pixel, a thirtieth of the work. What
-// is given on the command line stays.
+// The paper's test at three sixteenths of its scale: as many texels per pixel, a thirtieth of the work.
+// Options of the command line stay.
 void scale_down(BenchArguments& a, const CLI::App& command) {
   const auto given = [&](const char* name) { return command.get_option(name)->count() > 0; };
   RenderSettings& s = a.settings;

@@ -27,7 +27,7 @@ void BriefLog::take(LogLevel level, const std::string& line) {
     return;
   }
   said_one_ = true;
-  show_line("");  // whatever was under way
+  show_line("");  // a progress may be under way
   std::fputs(text.c_str(), stderr);
 }
 

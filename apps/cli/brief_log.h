@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command says on standard error beside its progress: two lines at most, all of them with --verbose.
+// Lines of a command on standard error beside its progress: two lines at most, all of them with --verbose.
 #pragma once
 
 #include <CLI/CLI.hpp>

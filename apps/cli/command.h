@@ -36,7 +36,7 @@ void add_view_command(CLI::App& app, char** arguments);
 /// its camera from frame to frame.
 enum class SceneUse { render, view, sequence, plan, reference, comparison, bench };
 
-/// What render, plan, reference and later commands have in common.
+/// Arguments that render, plan, reference and later commands share.
 struct SceneArguments {
   SceneUse use = SceneUse::render;
   std::string scene;                ///< path; empty: the built-in head. Of commands that take one file
@@ -85,7 +85,7 @@ CLI::App* add_view_options(CLI::App& app, ViewArguments& arguments);
 
 /// Prints what the validation layer has said; returns whether it has said something.
 bool tell_validation_messages(const Renderer& renderer);
-/// What --save-settings writes, and a result holds under `settings`.
+/// Returns the content of --save-settings, which a result holds under `settings`.
 SettingsFile settings_file(const SceneArguments& arguments);
 /// Writes the settings to the file that --save-settings names, if it does.
 void save_settings(const SceneArguments& arguments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How the command line is read, where that differs from what CLI11 does by itself.
+/// Reads the command line where CLI11 by itself would read it otherwise.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -37,7 +37,7 @@ struct CompareArguments : SceneArguments {
   std::vector<double> distances{2.5, 10};
 };
 
-/// What can be refused before pictures are read.
+/// Refuses outputs before pictures are read.
 void check_outputs(const CompareArguments& arguments) {
   if (arguments.html == "-") throw input_error("--html", "needs a file, not standard output");
   std::vector<std::string> taken;
@@ -145,7 +145,7 @@ comparison::PictureSize picture_size(const std::string& text) {
   return {.width = output.width, .height = output.height};
 }
 
-// What a table chooses by itself must not be given once more.
+// Settings that a table chooses by itself must not be given once more.
 void check_table(const CompareArguments& a) {
   const CameraSettings& camera = a.settings.camera;
   if (camera.distance || camera.eye_m || !camera.name.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `dermis compare` found, as text, JSON and a page.
+// The results of `dermis compare` as text, JSON and a page.
 #pragma once
 
 #include <string>

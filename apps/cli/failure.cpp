@@ -21,7 +21,7 @@ namespace {
 constexpr int failure = 1, usage_error = 2, software_error = 70;
 
 int fail(std::string line, int status = failure) {
-  show_line("");  // whatever was under way
+  show_line("");  // a progress may be under way
   // Names of files may hold anything: a message stays one line.
   for (char& c : line)
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the program ends when something goes wrong.
+// The end of the program when something goes wrong.
 #pragma once
 
 #include <CLI/CLI.hpp>

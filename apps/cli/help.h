@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How a program and its commands show their options: the common ones by --help, all by --help-all.
+/// Help of a program and its commands: the common ones by --help, all by --help-all.
 #pragma once
 
 #include <CLI/CLI.hpp>

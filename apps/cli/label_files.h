@@ -10,7 +10,7 @@
 
 namespace dermis::cli {
 
-/// What `--labels` names.
+/// The labels that `--labels` names.
 struct WantedLabels {
   Outputs outputs;         ///< in files
   bool landmarks = false;  ///< in the sheet; of "all" where there are some

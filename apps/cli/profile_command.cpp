@@ -74,7 +74,7 @@ void check_files(const ProfileArguments& options) {
     throw input_error(cache.string(), "is a file; --cache needs a folder");
 }
 
-/// What can be refused before the long work.
+/// Refuses options before the long work.
 void check(const ProfileArguments& options) {
   check_ranges(options.source.profile);
   if (options.variances != "shared" && options.variances != "per-channel")

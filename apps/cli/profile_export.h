@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What `dermis profile` writes for other renderers: the parameters of their systems, and kernels.
+/// Exports of `dermis profile` for other renderers: the parameters of their systems, and kernels.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ struct ExportOptions {
 /// Returns the names of systems and kernels.
 std::vector<std::string_view> export_names();
 
-/// What can be refused before the long work. Throws InputError: an unknown name (lists them), what does not
-/// go with it, a folder that cannot be written.
+/// Checks options before the long work. Throws InputError: an unknown name (lists them), an option that does
+/// not go with it, a folder that cannot be written.
 void check_export(const ExportOptions& options);
 
 /// Writes the files of a kernel into the folder, each as a whole, if there is one. Returns what is printed.

@@ -27,7 +27,7 @@ std::string text_at(Point at, const std::string& text, const char* anchor = "sta
   return report::text(at, anchor, text, fmt::format("fill=\"{}\"", fill)) + "\n";
 }
 
-/// How a line is drawn.
+/// The look of a line.
 struct Stroke {
   const char* colour;
   const char* dash;
@@ -128,7 +128,7 @@ Extent extent_of(const ProfilePlot& plot) {
 constexpr const char* dashed = "7 4";
 constexpr const char* dots[] = {"2 3", "1 5", "6 3 1 3"};
 
-/// Which line is which, beneath the names of the channels: at the right every curve has come down.
+/// Names of the lines, beneath the names of the channels: at the right every curve has come down.
 std::string legend(const ProfilePlot& plot, const Panel& panel) {
   constexpr double line_right = width - right - 10, line_left = line_right - 40;
   std::string svg;

@@ -17,7 +17,7 @@ struct PlottedSum {
   std::array<std::vector<gaussians::Term>, 3> channels;
 };
 
-/// What the picture shows. Every curve is divided by its total, so that shapes compare.
+/// The content of the picture. Every curve is divided by its total, so that shapes compare.
 struct ProfilePlot {
   std::string title;
   std::array<profile::ProfilePtr, 3> profiles;  ///< solid

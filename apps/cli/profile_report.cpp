@@ -43,7 +43,7 @@ bool usable(const std::vector<gaussians::Term>& terms) {
   return !terms.empty() && std::isfinite(sum) && sum > 0;
 }
 
-/// What no renderer can use must not reach a file.
+/// Weights that no renderer can use must not reach a file.
 void check_weights(const Source& source, const Fitted& fitted, int terms) {
   int bad = 0;
   while (bad < 3 && usable(normalised(fitted, bad))) ++bad;
@@ -70,7 +70,7 @@ bool any_pole(const Source& source) {
                      [](const auto& profile) { return profile->has_pole(); });
 }
 
-/// What a number alone would not tell.
+/// Remarks that a number alone would not tell.
 std::string notes(const Source& source, const Fitted& fitted) {
   std::string text = source.note.empty() ? "" : source.note + "\n";
   for (int c = 0; c < 3; ++c) {
@@ -87,7 +87,7 @@ std::string notes(const Source& source, const Fitted& fitted) {
   return text;
 }
 
-/// What the error per cent means, and what chance adds to it.
+/// The meaning of the error in per cent, and the part of chance in it.
 std::string error_rows(const Source& source, const Fitted& fitted) {
   // A profile with a pole has no mean square: it is compared as a narrow beam would see it, and that number
   // is no dipole's.
@@ -106,7 +106,7 @@ std::string error_rows(const Source& source, const Fitted& fitted) {
   return text;
 }
 
-/// What the laws of shape say of a few bodies: light that leaves, relative to a flat half-space.
+/// The laws of shape for a few bodies: light that leaves, relative to a flat half-space.
 std::string shape_rows(const Source& source) {
   if (!optics::coefficients_of(source.medium)) return "";
   const ShapeLaws laws = profile::shape_laws(source.medium);

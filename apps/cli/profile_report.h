@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What `dermis profile` says about a profile: its fit, as a table for people, as JSON, and as a picture.
+/// The report of `dermis profile`: its fit, as a table for people, as JSON, and as a picture.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct Fitted {
   ScatterProfile shared;                          ///< terms empty if per channel
   std::array<gaussians::ChannelFit, 3> channels;  ///< terms empty if shared
   gaussians::Rgb error_percent{};
-  /// what the model gives back, which may be more than entered
+  /// light that the model gives back, which may be more than entered
   gaussians::Rgb model_total{};
   gaussians::Rgb total{};                                           ///< the same, at most 1
   gaussians::Rgb mean_free_path_mm{}, diffuse_mean_free_path_mm{};  ///< infinite where nothing absorbs
@@ -31,7 +31,7 @@ std::vector<gaussians::Term> normalised(const Fitted& fitted, int c);
 
 /// Lines for a person, notes first.
 std::string table(const Source& source, const Fitted& fitted);
-/// How far each sum is from the fit, a row a sum.
+/// Returns the distance of each sum from the fit, a row per sum.
 std::string differences(const PlottedSum& fit, const std::vector<PlottedSum>& others);
 /// The profile file; with variances_mm2 [k][3] if they are per channel, where a channel with fewer terms is
 /// filled with terms of weight 0.

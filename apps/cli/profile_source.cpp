@@ -122,7 +122,7 @@ Source from_import(const SourceOptions& options) {
   return source;
 }
 
-/// What the options say on top of `skin`.
+/// Returns `skin` with the values of the options.
 SpectralSkin refined(SpectralSkin skin, const SourceOptions& options) {
   const auto one = [&](const auto& field) {
     if (options.given.contains(std::string(field.name))) skin.*field.member = options.skin.*field.member;

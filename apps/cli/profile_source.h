@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What `dermis profile` starts from: one of several descriptions of skin, as three profiles.
+/// The start of `dermis profile`: one of several descriptions of skin, as three profiles.
 #pragma once
 
 #include <filesystem>

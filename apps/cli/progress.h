@@ -43,7 +43,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress() { clear(); }
 
-  /// What comes now. The time left is that of the work so far, scaled.
+  /// Shows the work that comes now. The time left is that of the work so far, scaled.
   void show(const std::string& what);
   void done(double work) { done_ += work; }
   void clear();  ///< before anything else is printed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `dermis compare --scene` shows of a comparison with ground truth.
+// The output of `dermis compare --scene` for a comparison with ground truth.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

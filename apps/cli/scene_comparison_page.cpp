@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `dermis compare --scene` found, as text, JSON and a page.
+// The results of `dermis compare --scene` as text, JSON and a page.
 #include <fmt/format.h>
 
 #include <algorithm>

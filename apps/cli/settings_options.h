@@ -18,7 +18,7 @@
 
 namespace dermis::cli {
 
-/// What an option says: the row's help with unit, and what holds without it.
+/// Returns the help of an option: that of the row with unit, and the value that holds without it.
 std::string help_of(const About& about);
 
 /// The row's help with its range: "terms of the sum, 1 to 8".
@@ -31,7 +31,7 @@ std::string with_options(std::string message, const CLI::App& app);
 /// Puts the option of a row under a title, and leaves it to --help-all unless the row is common.
 CLI::Option* file_under(const std::string& title, const About& about, CLI::Option* option);
 
-/// One option, whose kind follows from the type of the value. What it reads is checked when it is used.
+/// One option, whose kind follows from the type of the value. Its value is checked when it is used.
 struct AddOption {
   CLI::App& command;
 

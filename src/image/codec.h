@@ -63,7 +63,8 @@ Image8 load_image8(const std::filesystem::path& path, const DecodeLimits& limits
 ImageF load_image_f(const std::filesystem::path& path, const DecodeLimits& limits = {},
                     std::uint64_t most_pixels = ~std::uint64_t{0});
 
-/// How long an encoder searches. fast: a quarter of the time, files a ninth larger (portrait and labels).
+/// The time that an encoder searches. fast: a quarter of the time, files a ninth larger (portrait and
+/// labels).
 enum class PngEffort { small, fast };
 
 /// Returns a PNG in memory (with alpha if keep_alpha, else RGB) that says that it is sRGB, without a date.

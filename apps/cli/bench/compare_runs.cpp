@@ -19,7 +19,7 @@ void check_same(const Recorded& before, const Recorded& after) {
   for (const auto& setting : after.settings) {
     const auto other = std::find_if(before.settings.begin(), before.settings.end(),
                                     [&](const auto& s) { return s.first == setting.first; });
-    // What an older program did not know, it did not change.
+    // An older program did not change settings that it did not know.
     if (other != before.settings.end() && other->second != setting.second)
       differ("setting '" + setting.first + "'", other->second, setting.second);
   }

@@ -13,8 +13,8 @@
 namespace dermis::cli::bench {
 namespace {
 
-// How long a cell takes beside others, in frames of one head: what does not depend on heads costs about half
-// a head.
+// The time of a cell beside others, in frames of one head. Work that does not depend on heads costs about
+// half a head.
 double work_of(const Place& place) { return place.heads + 0.5; }
 
 // Two frames, and as much again for their many pixels.

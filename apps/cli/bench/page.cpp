@@ -182,7 +182,7 @@ std::string bars(const Cell& cell, const std::vector<std::size_t>& groups) {
   return report::bar_chart(chart);
 }
 
-// What no frame spends time on needs no colour.
+// A group that no frame spends time on needs no colour.
 std::vector<std::size_t> groups_of(const Run& run) {
   std::vector<double> sums(pass_groups().size());
   for (const Cell& cell : run.cells)

@@ -47,7 +47,7 @@ struct RunComparison {
   std::vector<TimeChange> changes;  ///< slower or faster, the greatest gap first
   std::size_t compared = 0;         ///< times in both
   std::size_t slower = 0, faster = 0;
-  /// how many of each are to be expected if nothing has changed
+  /// number of each that is to be expected if nothing has changed
   double by_chance = 0;
   std::size_t only_before = 0, only_after = 0;  ///< times that the other run has not
 };

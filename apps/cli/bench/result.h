@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run of the benchmark found.
+// The results of a run of the benchmark.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ struct CellPictures {
   image::Image8 baseline, optimised;
 };
 
-/// What is coloured as in [JG08] figure 3, of one cell.
+/// Light maps of one cell, coloured as in [JG08] figure 3.
 struct MapPictures {
   int heads = 1;
   double distance = 0;
@@ -84,7 +84,8 @@ nlohmann::ordered_json variant_object(const Measured& measured);
 /// For programs. Keys that others rely on: see docs/methodology.md.
 std::string run_json(const Run& run);
 
-/// What PSNR and FLIP of a cell compare, with the tone map of their display values.
+/// Returns the two pictures that PSNR and FLIP of a cell compare, in words, with the tone map of their
+/// display values.
 std::string difference_meaning(const Run& run);
 
 /// For people: a line for a cell as soon as it is there, and what stands above and below the lines.

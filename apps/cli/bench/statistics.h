@@ -24,8 +24,8 @@ struct Comparison {
 };
 Comparison compare_times(const std::vector<double>& before, const std::vector<double>& after);
 
-/// How likely one of the two directions is if nothing has changed: 1 over the number of ways to choose which
-/// of all times are the old ones.
+/// Returns the chance of one of the two directions if nothing has changed: 1 over the number of ways to
+/// choose which of all times are the old ones.
 double chance(std::size_t before, std::size_t after);
 
 }  // namespace dermis::cli::bench

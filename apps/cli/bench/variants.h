@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a cell of the benchmark draws in turns.
+// The variants that a cell of the benchmark draws in turns.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct Variant {
   bool compared = false;  ///< its picture, with the baseline's
 };
 
-inline constexpr const char* baseline_key = "baseline";  ///< what speed-ups refer to
+inline constexpr const char* baseline_key = "baseline";  ///< of speed-ups
 /// the second baseline: without heads that no part of is in the picture
 inline constexpr const char* skipping_key = "skip";
 inline constexpr const char* optimised_key = "all";  ///< whose speed-up and picture are reported
@@ -29,7 +29,7 @@ inline constexpr const char* still_key = "still";  ///< `compute`, with the shad
 inline constexpr const char* floor_key = "lambert";
 
 /// All variants of one cell, from settings that hold for each of them: same shaders, same sizes, same lights.
-/// What they differ in stands here and nowhere else. The baselines and `lambert` are not optimised, whatever
+/// Their differences stand here and nowhere else. The baselines and `lambert` are not optimised, whatever
 /// the settings say, and only the variants of the steps beyond the paper take these.
 std::vector<Variant> variants_of(const RenderSettings& common);
 

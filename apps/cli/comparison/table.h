@@ -57,9 +57,9 @@ struct Figures {
 };
 Figures figures_of(const ComparedTechnique& technique);
 
-/// What the table says in words, a sentence each: for every case, which technique is nearest, which is
-/// fastest, and which others are worth their time; for every technique, where it is the right choice and
-/// where none. A row with one Gaussian is not a technique of its own here.
+/// Returns the table in words. For every case: the nearest technique, the fastest, and others that are worth
+/// their time. For every technique: where it is the right choice, and where none is. A row with one Gaussian
+/// is not a technique of its own here.
 std::vector<std::string> verdict(const Table& table);
 
 std::string table_text(const Table& table);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a table says in words.
+// A table in words.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -78,7 +78,7 @@ std::string sentence_of(const Case& one, const std::vector<Entry>& entries) {
 
 double less_noise(const RegionError& error) {
   if (!error.rel_mse_unbiased) return error.rel_mse;
-  // What lies below the noise of the reference is not known any better than so.
+  // An error below the noise of the reference is not known any better than so.
   return std::max(*error.rel_mse_unbiased, (error.rel_mse - *error.rel_mse_unbiased) / 100);
 }
 

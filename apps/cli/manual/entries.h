@@ -12,7 +12,7 @@ namespace dermis::cli::manual {
 struct OptionEntry {
   std::vector<std::string> names;  ///< "-o", "--output"; of a positional its name
   std::string type;                ///< as CLI11 has it, "studio|FILE"; empty: a flag
-  std::string preset;              ///< what holds without it; empty: nothing that can be typed
+  std::string preset;              ///< the value that holds without it; empty: nothing that can be typed
   std::string help, title;
   std::vector<std::string> words;  ///< values that can be typed
   bool takes_file = false, takes_folder = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What `dermis sequence` was asked for.
+/// The arguments of `dermis sequence`.
 #pragma once
 
 #include <optional>

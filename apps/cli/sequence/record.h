@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which frames of a sequence are written, in a file beside them, so that a stopped run can go on.
+/// A list of the written frames of a sequence, in a file beside them, so that a stopped run can go on.
 #pragma once
 
 #include <cstddef>

@@ -56,7 +56,7 @@ void set_kind(Motion& motion, Motion::Kind kind) {
 }  // namespace
 
 std::size_t Timeline::frames() const {
-  // What a rounded product adds must not add a frame.
+  // The rounding of a product must not add a frame.
   const double count = std::ceil((to_s - from_s) * fps - 1e-6);
   return static_cast<std::size_t>(std::max(count, 1.0));
 }

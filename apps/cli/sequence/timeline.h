@@ -25,7 +25,7 @@ struct Timeline {
 /// Throws InputError: a rate, a time or a number of frames out of range; the end is not after the begin.
 void check(const Timeline& timeline);
 
-/// What moves beside a clip, evenly from the begin to the end.
+/// A motion beside a clip, even from the begin to the end.
 struct Motion {
   enum class Kind {
     none,

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-// How ffmpeg is told to write a format. Colours are those of Rec.709, as the pictures are; without dates and
+// Arguments of ffmpeg for a format. Colours are those of Rec.709, as the pictures are; without dates and
 // names of encoders, equal frames give equal bytes.
 Words encoding(const std::string& ending) {
   const Words rec709{"-vf",

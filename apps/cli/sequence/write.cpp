@@ -42,7 +42,7 @@ std::uint64_t fingerprint_of(const SequenceArguments& a, const Timeline& timelin
   hash.add(ending_of(a.output));
   for (const double number : {timeline.fps, timeline.from_s, timeline.to_s}) hash.add(number);
 
-  // What is said of the files while they are read has been said.
+  // Warnings about the files have been said when they were read.
   Hooks hooks = terminal_hooks();
   hooks.log = [](LogLevel, const std::string&) {};
   const Scene& scene = scenes.scene_at(timeline.from_s);

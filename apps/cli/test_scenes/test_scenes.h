@@ -12,7 +12,7 @@
 namespace dermis::cli::test_scenes {
 
 struct TestScene {
-  std::string_view name;   ///< what follows "test:"
+  std::string_view name;   ///< that follows "test:"
   std::string_view shows;  ///< one line: what it is, and what fails there
   bool built_in_head;      ///< takes the seconds of the built-in head; the others milliseconds
 };

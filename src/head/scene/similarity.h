@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How an asset stands in the world.
+/// The way from an asset to the world.
 #pragma once
 
 #include <array>

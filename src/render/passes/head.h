@@ -75,8 +75,8 @@ struct Head {
   bool drawn = true;    ///< false: lit, but a host draws it
   bool is_drawn() const { return visible && drawn; }
 
-  // What its instance has on the device, which must outlive the frame: of api::SceneOnDevice, and what moves
-  // of api::HostMoves and api::PosedInstances.
+  // Resources of its instance, which must outlive the frame: those of api::SceneOnDevice, and moved ones of
+  // api::HostMoves and api::PosedInstances.
   const GpuAsset* asset = nullptr;        ///< shared by all instances of the asset
   const GpuLook* look = nullptr;          ///< its materials
   std::span<const SkyMaps> sky;           ///< one per skin mesh of the asset; only with an environment

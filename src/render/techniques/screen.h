@@ -99,7 +99,7 @@ class Screen {
   passes::SkinLook look_of(passes::SkinLook asked) const;
   // The same of skin that is wholly lit per pixel, with light through the body.
   passes::SkinLook whole_look_of(const passes::MapSquare& square) const;
-  bool reads_open() const;  // how much of the background each pixel shows
+  bool reads_open() const;  // the share of the background in each pixel
   frame::TextureId add_picture();
   frame::TextureId add_open_share();
   void add_display(FrameOutputs& out);

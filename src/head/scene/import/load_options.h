@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How files and arrays become scenes.
+/// Options of files and arrays that become assets.
 #pragma once
 
 #include <cstddef>
