@@ -168,6 +168,66 @@ passes::Head head_of(const passes::GpuAsset& asset, const passes::GpuLook& look,
   return head;
 }
 
+// Adds the blurs of an experiment; their maps are read back.
+class Blurs {
+ public:
+  struct Maps {
+    frame::TextureId stretch, painted, scratch, narrower;
+  };
+  Blurs(passes::FramePlan& plan, const Maps& maps, const passes::TileLists& tiles,
+        const std::vector<passes::MapSquare>& whole, const gpu::TextureDesc& desc)
+      : plan_(&plan), maps_(maps), tiles_(tiles), whole_(whole), desc_(desc) {}
+
+  // Both of two, as their first axis shares the reads.
+  std::vector<frame::TextureId> from_light(const Experiment& e) const {
+    const double narrow_mm2 = e.variances_mm2[0], wide_mm2 = e.variances_mm2[1];
+    plan_->add<passes::Blur>("u",
+                             {.light = maps_.painted,
+                              .stretch = maps_.stretch,
+                              .target = maps_.scratch,
+                              .lists = tiles_,
+                              .start = maps_.painted,
+                              .narrower = maps_.narrower},
+                             {.squares = whole_,
+                              .variance_mm2 = wide_mm2,
+                              .texel_averaged = true,
+                              .narrower = passes::ChainStep{.number = 0, .total_mm2 = narrow_mm2}});
+    return {along_v(maps_.narrower, narrow_mm2, true), along_v(maps_.scratch, wide_mm2, true)};
+  }
+
+  // Each from the one before.
+  std::vector<frame::TextureId> in_turn(const Experiment& e, double density) const {
+    std::vector<frame::TextureId> levels;
+    frame::TextureId light = maps_.painted;
+    for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
+      const bool first = light == maps_.painted;
+      const double v = step.variance_mm2 * e.variance_factor;
+      plan_->add<passes::Blur>("u", {light, maps_.stretch, maps_.scratch, tiles_},
+                               {.squares = whole_, .variance_mm2 = v, .axis = 0, .texel_averaged = first});
+      light = along_v(maps_.scratch, v, first);
+      if (step.ends_term) levels.push_back(light);
+    }
+    return levels;
+  }
+
+ private:
+  frame::TextureId along_v(frame::TextureId from, double variance_mm2, bool texel_averaged) const {
+    const frame::TextureId target = plan_->texture("level", desc_);
+    plan_->add<passes::Blur>(
+        "v", {from, maps_.stretch, target, tiles_},
+        {.squares = whole_, .variance_mm2 = variance_mm2, .axis = 1, .texel_averaged = texel_averaged});
+    plan_->add<Gutters>("gutters", {target}, {.squares = whole_});
+    plan_->read_back(target);
+    return target;
+  }
+
+  passes::FramePlan* plan_;
+  Maps maps_;
+  passes::TileLists tiles_;
+  std::vector<passes::MapSquare> whole_;
+  gpu::TextureDesc desc_;
+};
+
 }  // namespace
 
 bool available() { return bench() != nullptr; }
@@ -193,7 +253,8 @@ Result run(const Experiment& e) {
   const std::vector<passes::MapSquare> whole(1);
   if (e.pose) plan.add<passes::MoveRig>("pose", {}, {});
   const frame::TextureId stretch = plan.texture("stretch", desc, frame::Lifetime::persistent),
-                         painted = plan.texture("painted", desc), scratch = plan.texture("scratch", desc);
+                         painted = plan.texture("painted", desc), scratch = plan.texture("scratch", desc),
+                         narrower = plan.texture("narrower scratch", desc);
   plan.add<passes::Stretch>("stretch", {stretch}, {});
   plan.add<Gutters>("stretch gutters", {stretch}, {.squares = whole, .what = Gutters::What::stretch});
   plan.add<Paint>("paint", {painted}, {e.paint});
@@ -204,25 +265,10 @@ Result run(const Experiment& e) {
   const frame::BufferId counters = plan.buffer("counters", {.bytes = sizeof(std::uint32_t)});
   plan.add<passes::ClearBuffers>("clear tiles", {{tiles.counts, tiles.arguments}});
   plan.add<SeeAllTiles>("see all tiles", {tiles});
-  plan.add<passes::Tiles>("tiles", {tiles, counters}, {.squares = whole});
+  plan.add<passes::Tiles>("tiles", {tiles, counters, {scratch, narrower}}, {.squares = whole});
 
-  std::vector<frame::TextureId> levels;
-  frame::TextureId light = painted;
-  bool first = true;
-
-  for (const passes::BlurStep& step : passes::blur_steps(e.variances_mm2, density)) {
-    const double v = step.variance_mm2 * e.variance_factor;
-    const frame::TextureId target = plan.texture("level", desc);
-    plan.add<passes::Blur>("u", {light, stretch, scratch, tiles},
-                           {.squares = whole, .variance_mm2 = v, .axis = 0, .texel_averaged = first});
-    plan.add<passes::Blur>("v", {scratch, stretch, target, tiles},
-                           {.squares = whole, .variance_mm2 = v, .axis = 1, .texel_averaged = first});
-    plan.add<Gutters>("gutters", {target}, {.squares = whole});
-    plan.read_back(target);
-    if (step.ends_term) levels.push_back(target);
-    light = target;
-    first = false;
-  }
+  const Blurs blurs{plan, {stretch, painted, scratch, narrower}, tiles, whole, desc};
+  const std::vector<frame::TextureId> levels = e.from_light ? blurs.from_light(e) : blurs.in_turn(e, density);
 
   passes::FrameData data;
   data.heads = {head_of(gpu_asset, look, side)};

@@ -33,6 +33,7 @@ struct Experiment {
   double variance_factor = 1;  ///< a deliberate mistake: every step is this much too wide
   bool drop_shear = false;     ///< a deliberate mistake: the metric's g_uv is forgotten
   bool gutters = true;
+  bool from_light = false;  ///< both of two variances start from the light, and share its reads
 
   /// The scene's rig takes this pose on the device.
   std::optional<scene::PosedRig> pose{};

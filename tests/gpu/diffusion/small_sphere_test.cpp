@@ -3,10 +3,12 @@
 // l (l+1) / (2 R^2)).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "head/scene/import/shapes.h"
+#include "head/scene/surface/unwrap.h"
 #include "lab.h"
 
 namespace dermis {
@@ -59,6 +61,44 @@ TEST(SmallSphere, EachBandIsDamped) {
 }
 
 // Without gutters light stops at the seams; the test must see that.
+// Texels where two results of one light differ in a level.
+std::size_t differing(const lab::Result& a, std::size_t level_a, const lab::Result& b, std::size_t level_b) {
+  std::size_t differ = 0, lit = 0;
+  for (int y = 0; y < a.painted.side; ++y)
+    for (int x = 0; x < a.painted.side; ++x) {
+      if (a.painted.at(x, y)[3] == 0) continue;
+      const float* texel = a.levels[level_a].at(x, y);
+      differ += !std::equal(texel, texel + 4, b.levels[level_b].at(x, y));
+      ++lit;
+    }
+  EXPECT_GT(lit, 1000u);
+  return differ;
+}
+
+// Their taps lie together, but where the wide one leaves texels out.
+TEST(SmallSphere, TermsThatShareTheReadsOfTheLightAreAsEachAlone) {
+  if (!lab::available()) GTEST_SKIP() << "no Vulkan device";
+  lab::Experiment e = sphere_experiment(2, {1, 2, -0.5f});
+  e.map_size = 128;
+  const scene::SkinMesh skin = scene::skin_meshes(e.scene)[0];
+  const double texels_per_mm =
+      scene::unwrap_density(skin, e.scene.mm_per_unit).largest_uv_per_mm.p95 * e.map_size;
+  const auto variance_mm2 = [&](double texels) { return texels * texels / texels_per_mm / texels_per_mm; };
+  const auto run = [&](const std::vector<double>& variances_mm2) {
+    lab::Experiment of_these = e;
+    of_these.variances_mm2 = variances_mm2;
+    of_these.from_light = variances_mm2.size() == 2;
+    return lab::run(of_these);
+  };
+
+  const double narrow = variance_mm2(2), wide = variance_mm2(3.99), wider = variance_mm2(7);
+  const lab::Result alone = run({narrow}), shared = run({narrow, wide});
+  EXPECT_EQ(differing(alone, 0, shared, 0), 0u);
+  EXPECT_EQ(differing(alone, 0, run({narrow, wider}), 0), 0u);
+  EXPECT_EQ(differing(run({wide}), 0, shared, 1), 0u);
+  EXPECT_GT(differing(shared, 0, shared, 1), 1000u);
+}
+
 TEST(SmallSphere, MissingGuttersAreSeen) {
   if (!lab::available()) GTEST_SKIP() << "no Vulkan device";
   lab::Experiment e = sphere_experiment(4, {1, 2, -0.5f});

@@ -70,6 +70,8 @@ class MakeChain {
   }
 
  private:
+  static passes::ChainStep chain_step(const Step& step) { return {step.number, step.total_mm2}; }
+
   // Blurs along both axes into the maps of the terms, then refreshes the gutters. Several steps are each
   // from the light before any blur. One that does not end its term is written to its map, too: the one that
   // ends it overwrites it.
@@ -78,23 +80,32 @@ class MakeChain {
     const frame::TextureId stretch = maps_->stretch(mesh_);
     const auto target = [&](const Step& step) { return maps_->blurred()[step.term]; };
 
-    for (const std::uint32_t axis : {0u, 1u})
-      for (std::size_t i = 0; i < round.size(); ++i) {
-        const Step& step = round[i];
-        const bool first = step.number == 0 || round.size() > 1;
-        const Blur::Settings blur{
-            .squares = squares_,
-            .variance_mm2 = first ? step.total_mm2 : step.variance_mm2,
-            .axis = axis,
-            .texel_averaged = first,
-            .chain = passes::ChainStep{.number = step.number, .total_mm2 = step.total_mm2}};
-        const frame::TextureId scratch = maps_->scratch()[i];
-        if (axis == 0)
-          steps_.add<Blur>(name + " u", {light_.blurred, stretch, scratch, maps_->tiles(), light_.start},
-                           blur);
-        else
-          steps_.add<Blur>(name + " v", {scratch, stretch, target(step), maps_->tiles()}, blur);
-      }
+    const bool from_light = round.front().number == 0 || round.size() > 1;
+    const auto settings_of = [&](const Step& step, std::uint32_t axis) {
+      return Blur::Settings{.squares = squares_,
+                            .variance_mm2 = from_light ? step.total_mm2 : step.variance_mm2,
+                            .axis = axis,
+                            .texel_averaged = from_light,
+                            .chain = chain_step(step),
+                            .narrower = {}};
+    };
+
+    // Both terms that start from the light share its reads.
+    const Step& wide = round.back();
+    const std::vector<frame::TextureId>& scratch = maps_->scratch();
+    Blur::Settings along_u = settings_of(wide, 0);
+    if (round.size() > 1) along_u.narrower = chain_step(round.front());
+    steps_.add<Blur>(name + " u",
+                     {.light = light_.blurred,
+                      .stretch = stretch,
+                      .target = scratch[round.size() - 1],
+                      .lists = maps_->tiles(),
+                      .start = light_.start,
+                      .narrower = round.size() > 1 ? scratch[0] : frame::TextureId{}},
+                     along_u);
+    for (std::size_t i = 0; i < round.size(); ++i)
+      steps_.add<Blur>(name + " v", {scratch[i], stretch, target(round[i]), maps_->tiles()},
+                       settings_of(round[i], 1));
     for (const Step& step : round)
       steps_.add<Gutters>(name + " gutters", {target(step)}, {.squares = squares_, .step = step.number});
 

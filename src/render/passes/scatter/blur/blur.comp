@@ -2,7 +2,7 @@
 // One axis of one Gaussian. A Gaussian of variance v on the skin has covariance v g^-1 = v L L^T in texture
 // coordinates, L = [a 0; b c]. The first pass runs along (a, b) in whole steps of u and interpolates in v;
 // the second runs along v. The variance that interpolation adds is subtracted from the second pass. Right for
-// any stretch and shear in two passes.
+// any stretch and shear in two passes. Two Gaussians that start from the light share its reads in the first.
 #version 460
 #include "render/shared/types.h"
 #include "render/shaders/half.glsl"
@@ -16,6 +16,8 @@ layout(binding = 2) uniform utextureBuffer Kernels;
 layout(binding = 3, rgba16f) uniform writeonly image2D light_out;
 layout(binding = 4, scalar) readonly buffer Tiles { uint tiles[]; };
 layout(binding = 5, scalar) readonly buffer TileCounts { uint tile_counts[]; };
+layout(binding = 6, rgba16f) uniform writeonly image2D narrower_out;
+layout(constant_id = 0) const bool two_terms = false;  // of the first axis: it also writes narrower_out
 
 #include "render/passes/scatter/kernel_row.glsl"
 
@@ -28,13 +30,6 @@ ivec2 held_inside(ivec2 p) { return clamp(p, ivec2(0), ivec2(io.side) - 1) + ive
 vec4 none_outside(ivec2 p, vec4 texel) { return held_inside(p) == p + ivec2(io.origin) ? texel : vec4(0.0); }
 
 vec4 light_at(ivec2 p) { return none_outside(p, imageLoad(light_in, held_inside(p))); }
-
-// Adds a texel unless it belongs to no chart or to another; returns its weight.
-float gather(inout vec3 sum, vec4 texel, float chart, float weight) {
-  const float used = texel.a == chart ? weight : 0.0;
-  sum += used * texel.rgb;
-  return used;
-}
 
 // A Gaussian along an axis.
 struct Taps {
@@ -52,52 +47,90 @@ Taps load_kernel(float sigma) {
   return Taps(step, reach);
 }
 
-// Returns the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, nor
+float narrower_row[KERNEL_FLOATS];
+
+// Loads narrower_row, 0 beyond its reach.
+Taps load_narrower(float sigma) {
+  const Taps taps = load_kernel(sigma);
+  for (int k = 0; k < KERNEL_FLOATS; ++k) narrower_row[k] = k <= taps.reach ? kernel_row[k] : 0.0;
+  return taps;
+}
+
+struct Sums {
+  vec3 light, narrower;
+  float weight, narrower_weight;
+};
+
+void add(inout Sums s, vec4 texel, float chart, vec2 weights) {
+  const vec2 used = texel.a == chart ? weights : vec2(0.0);
+  s.light += used.x * texel.rgb;
+  s.weight += used.x;
+  if (!two_terms) return;
+  s.narrower += used.y * texel.rgb;
+  s.narrower_weight += used.y;
+}
+
+// Adds the taps along (a, b) beside the middle. slope: texels of v per texel of u. wanted: of both terms.
+void add_along_u(inout Sums s, ivec2 p, float chart, Taps taps, float slope, vec2 wanted) {
+  slope *= float(taps.step);
+  for (int k = 1; k <= taps.reach; ++k) {
+    const float shift = slope * float(k);
+    const float whole = floor(shift);
+    const float f = shift - whole;
+    const ivec2 d = ivec2(k * taps.step, int(whole));
+    const vec2 weights = wanted * vec2(kernel_row[k], two_terms ? narrower_row[k] : 0.0);
+
+    // The tap on the other side is at -shift: its two texels mirror these.
+    add(s, light_at(p + d), chart, weights * (1.0 - f));
+    add(s, light_at(p + d + ivec2(0, 1)), chart, weights * f);
+    add(s, light_at(p - d), chart, weights * (1.0 - f));
+    add(s, light_at(p - d - ivec2(0, 1)), chart, weights * f);
+  }
+}
+
+// Writes the blurred light of a lit texel (centre.a != 0). The metric does not depend on T, nor
 // does the size of its map.
-vec4 spread(ivec2 p, vec4 centre) {
+void spread(ivec2 p, vec4 centre) {
   const float chart = centre.a;
   const ivec2 stretch_texel = ivec2((vec2(p) + 0.5) * (float(textureSize(stretch, 0).x) / float(io.side)));
   const vec3 factor = texelFetch(stretch, stretch_texel, 0).xyz * 0.001;  // per mm
   const float texels = float(io.side);
   const float sigma_mm = sqrt(io.variance_mm2);
-  const Taps along_u = load_kernel(sigma_mm * factor.x * texels);
-  const float slope =
-      factor.x > 0.0 ? factor.y / factor.x * float(along_u.step) : 0.0;  // texels of v per step
+  const float slope = factor.x > 0.0 ? factor.y / factor.x : 0.0;
+  const ivec2 at = p + ivec2(io.origin);
 
-  vec3 sum = vec3(0.0);
-  float total = 0.0;
+  Sums s = Sums(vec3(0.0), vec3(0.0), 0.0, 0.0);
   if (io.axis == 0u) {
-    total += gather(sum, centre, chart, kernel_row[0]);
-    for (int k = 1; k <= along_u.reach; ++k) {
-      const float shift = slope * float(k);
-      const float whole = floor(shift);
-      const float f = shift - whole;
-      const ivec2 d = ivec2(k * along_u.step, int(whole));
-
-      // The tap on the other side is at -shift: its two texels mirror these.
-      total += gather(sum, light_at(p + d), chart, kernel_row[k] * (1.0 - f));
-      total += gather(sum, light_at(p + d + ivec2(0, 1)), chart, kernel_row[k] * f);
-      total += gather(sum, light_at(p - d), chart, kernel_row[k] * (1.0 - f));
-      total += gather(sum, light_at(p - d - ivec2(0, 1)), chart, kernel_row[k] * f);
+    Taps narrower = Taps(1, 0);
+    if (two_terms) narrower = load_narrower(sqrt(io.narrower_mm2) * factor.x * texels);
+    const Taps along_u = load_kernel(sigma_mm * factor.x * texels);
+    const bool together = narrower.step == along_u.step;
+    add(s, centre, chart, vec2(kernel_row[0], two_terms ? narrower_row[0] : 0.0));
+    add_along_u(s, p, chart, along_u, slope, vec2(1.0, together ? 1.0 : 0.0));
+    if (two_terms) {
+      add_along_u(s, p, chart, Taps(narrower.step, together ? 0 : narrower.reach), slope, vec2(0.0, 1.0));
+      if (io.narrower_mm2 > 0.0)
+        imageStore(narrower_out, at, vec4(storable(s.narrower / s.narrower_weight), chart));
     }
   } else {
+    const Taps along_u = load_kernel(sigma_mm * factor.x * texels);
     float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
     for (int k = 1; k <= along_u.reach; ++k) {
-      const float f = fract(slope * float(k));
+      const float f = fract(slope * float(along_u.step) * float(k));
       interpolation += 2.0 * kernel_row[k] * f * (1.0 - f);
     }
 
     const float wanted = sigma_mm * factor.z * texels;
     const Taps along_v = load_kernel(sqrt(max(wanted * wanted - interpolation, 0.0)));
 
-    total += gather(sum, centre, chart, kernel_row[0]);
+    add(s, centre, chart, vec2(kernel_row[0], 0.0));
     for (int k = 1; k <= along_v.reach; ++k) {
       const ivec2 d = ivec2(0, k * along_v.step);
-      total += gather(sum, light_at(p + d), chart, kernel_row[k]);
-      total += gather(sum, light_at(p - d), chart, kernel_row[k]);
+      add(s, light_at(p + d), chart, vec2(kernel_row[k], 0.0));
+      add(s, light_at(p - d), chart, vec2(kernel_row[k], 0.0));
     }
   }
-  return vec4(storable(sum / total), centre.a);
+  imageStore(light_out, at, vec4(storable(s.light / s.weight), chart));
 }
 
 void main() {
@@ -107,5 +140,5 @@ void main() {
   if (any(greaterThanEqual(p, ivec2(io.side)))) return;
 
   const vec4 own = imageLoad(light_in, p + ivec2(io.origin));
-  if (own.a != 0.0) imageStore(light_out, p + ivec2(io.origin), spread(p, own));
+  if (own.a != 0.0) spread(p, own);
 }

@@ -13,9 +13,10 @@
 namespace dermis::passes {
 
 Blur::Out Blur::declare(frame::Declare& d) {
-  compute(d, "blur.comp");
+  compute(d, "blur.comp", {{"two_terms", settings.narrower ? 1u : 0u}});
   d.read(in.light);
   d.write(in.target);
+  if (in.narrower.valid()) d.write(in.narrower);
   d.read(in.lists.tiles);
   d.read(in.lists.counts);
   d.indirect(in.lists.arguments);
@@ -46,6 +47,7 @@ void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::Texture
       .add("stretch", resources.nearest(in.stretch))
       .add("Kernels", kernels_)
       .add("light_out", resources.storage(in.target))
+      .add("narrower_out", resources.storage(in.narrower.valid() ? in.narrower : in.target))
       .add("Tiles", resources.buffer(in.lists.tiles))
       .add("TileCounts", resources.buffer(in.lists.counts))
       .bind(cmd, pipeline());
@@ -62,13 +64,17 @@ void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameD
 
     const double variance_mm2 = enters ? settings.chain->total_mm2 : settings.variance_mm2;
     const std::uint32_t list = in.lists.to_blur(square);
-    cmd.push(pipeline(), io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
-                                    .axis = settings.axis,
-                                    .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
-                                    .origin = square.origin,
-                                    .side = square.side,
-                                    .list = list,
-                                    .room = in.lists.room});
+    const bool narrower =
+        settings.narrower && terms_of(frame, square).first_step <= settings.narrower->number;
+    cmd.push(pipeline(),
+             io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
+                        .narrower_mm2 = narrower ? static_cast<float>(settings.narrower->total_mm2) : 0.0f,
+                        .axis = settings.axis,
+                        .texel_averaged = enters || settings.texel_averaged ? 1u : 0u,
+                        .origin = square.origin,
+                        .side = square.side,
+                        .list = list,
+                        .room = in.lists.room});
     cmd.dispatch_indirect(resources.buffer(in.lists.arguments), list * sizeof(io::TileArgumentsIo));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Blurs the light stored on the skin by one Gaussian of the profile, one axis per pass.
 /// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the previous one). Departures: the first two may
-/// both start from the light; kernels.h, blur.comp
+/// both start from the light, and share its reads along the first axis; kernels.h, blur.comp
 #pragma once
 
 #include <cstdint>
@@ -35,12 +35,15 @@ class Blur : public ComputePass {
     /// Set: leaves out heads that enter the chain at a later step; those that enter here start from
     /// In::start, texel-averaged, by total_mm2. None: all heads blur by variance_mm2.
     std::optional<ChainStep> chain;
+    /// Axis 0 of a step from the light: a narrower one that starts there, too, and shares its reads.
+    std::optional<ChainStep> narrower;
   } settings;
   struct In {
     frame::TextureId light, stretch;
     frame::TextureId target;  ///< RGBA16F pool of the same size; tiles that are not listed hold 0
     TileLists lists;
-    frame::TextureId start = {};  ///< with `chain` and axis 0: the light before any blur
+    frame::TextureId start = {};     ///< with `chain` and axis 0: the light before any blur
+    frame::TextureId narrower = {};  ///< target of `narrower`
   } in;
   struct Out {
     frame::TextureId light;
