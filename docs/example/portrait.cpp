@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     dermis::RenderSettings settings;
     settings.output.width = 160;  // pixels
     settings.output.height = 180;
-    // texels of a side of the maps in which light spreads; 2048 for a face that fills the screen
+    // at most: texels of a side of the maps in which light spreads, and of shadow maps
     settings.quality.map_size = 256;
     settings.quality.shadow_size = 256;
     settings.camera.orbit_deg = {20, 5};

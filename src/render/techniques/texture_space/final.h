@@ -14,7 +14,7 @@ void add_scatter_sum(passes::FramePlan& plan, const FrameSettings& settings, con
 
 /// Shades skin meshes of heads: the weighted sum of the blurred maps times the albedo, plus what the surface
 /// reflects. Before, counts the texels that this reads though they were never lit. `squares`: of one batch,
-/// sorted by mesh, on maps of T_max.
+/// sorted by mesh, on squares of the pool.
 void add_final(const FrameSettings& settings, Screen& screen, const LightMaps& maps,
                const std::vector<passes::MapSquare>& squares);
 
