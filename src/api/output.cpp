@@ -39,10 +39,10 @@ std::vector<float> grey_of_depth(std::span<const std::byte> bytes) {
 
 // Texels per mm of a stretch map as colour: the geometric mean of both directions, 0 to 8 texels per mm from
 // black to white.
-std::vector<float> grey_of_density(std::vector<float> rgba, std::uint32_t map_size) {
+std::vector<float> grey_of_density(std::vector<float> rgba, std::uint32_t most_side) {
   for (std::size_t i = 0; i < rgba.size(); i += 4) {
     const float density =
-        rgba[i + 3] > 0 ? std::sqrt(std::abs(rgba[i] * rgba[i + 2])) * 0.001f * static_cast<float>(map_size)
+        rgba[i + 3] > 0 ? std::sqrt(std::abs(rgba[i] * rgba[i + 2])) * 0.001f * static_cast<float>(most_side)
                         : 0.0f;
     rgba[i] = rgba[i + 1] = rgba[i + 2] = density / 8;
   }
@@ -63,10 +63,10 @@ void crop(Picture& picture, glm::uvec2 origin, int side) {
 }
 
 std::vector<float> values_of(std::span<const std::byte> bytes, techniques::Shown::As as,
-                             std::uint32_t map_size) {
+                             std::uint32_t most_side) {
   if (as == techniques::Shown::As::depth) return grey_of_depth(bytes);
   std::vector<float> values = floats_of_halves(bytes);
-  return as == techniques::Shown::As::texel_density ? grey_of_density(std::move(values), map_size) : values;
+  return as == techniques::Shown::As::texel_density ? grey_of_density(std::move(values), most_side) : values;
 }
 
 // Eight bits for a display, opaque.

@@ -321,7 +321,7 @@ void set_up_plan(FrameSetup& setup, const PlacedScene& scene, const RenderSettin
 
   PoolHeads heads{.count = static_cast<std::uint32_t>(setup.heads.size())};
   for (const passes::Head& head : setup.heads)
-    heads.most_side = std::max(heads.most_side, every_view ? plan.most_side : head.detail.side);
+    heads.used_side = std::max(heads.used_side, every_view ? plan.most_side : head.detail.side);
   set_up_pool(plan, *setup.technique, heads, s, device);
 }
 

@@ -72,7 +72,7 @@ void set_up_pool(techniques::FrameSettings& plan, const techniques::Technique& t
                       "{} texels per side they take {:.0f} MB",
                       budget, plan.most_side, std::ceil(largest_mb));
 
-  plan.square_side = side_of_squares(plan.most_side, heads.most_side);
+  plan.square_side = side_of_squares(plan.most_side, heads.used_side);
   if (technique.as_published) return;
   const techniques::MapMemory memory = techniques::map_memory(technique, plan);
   const std::uint32_t squares = squares_in_budget(budget, mb(memory.light_maps), plan.square_side, device);

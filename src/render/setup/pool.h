@@ -20,7 +20,7 @@ struct DeviceTraits {
 /// The heads that share the pool.
 struct PoolHeads {
   std::uint32_t count = 1;
-  std::uint32_t most_side = 0;  ///< texels of a side that one of them uses, at most
+  std::uint32_t used_side = 0;  ///< texels of a side that one of them uses, at most
 };
 
 /// Sets square_side, heads_per_batch and meshes_per_batch of a plan that knows its maps and its skin.

@@ -186,7 +186,6 @@ class Blurs {
                               .stretch = maps_.stretch,
                               .target = maps_.scratch,
                               .lists = tiles_,
-                              .start = maps_.painted,
                               .narrower = maps_.narrower},
                              {.squares = whole_,
                               .variance_mm2 = wide_mm2,

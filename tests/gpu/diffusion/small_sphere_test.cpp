@@ -60,7 +60,6 @@ TEST(SmallSphere, EachBandIsDamped) {
     }
 }
 
-// Without gutters light stops at the seams; the test must see that.
 // Texels where two results of one light differ in a level.
 std::size_t differing(const lab::Result& a, std::size_t level_a, const lab::Result& b, std::size_t level_b) {
   std::size_t differ = 0, lit = 0;
@@ -99,6 +98,7 @@ TEST(SmallSphere, TermsThatShareTheReadsOfTheLightAreAsEachAlone) {
   EXPECT_GT(differing(shared, 0, shared, 1), 1000u);
 }
 
+// Without gutters light stops at the seams; the test must see that.
 TEST(SmallSphere, MissingGuttersAreSeen) {
   if (!lab::available()) GTEST_SKIP() << "no Vulkan device";
   lab::Experiment e = sphere_experiment(4, {1, 2, -0.5f});

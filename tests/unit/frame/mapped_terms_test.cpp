@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "render/techniques/sides_by_need.h"
+#include "render/techniques/texture_space/counters.h"
 #include "tissue/gaussians/known.h"
 
 namespace dermis::techniques::test {
@@ -165,6 +166,17 @@ TEST(MappedTerms, TheChainStartsWithinReachOfOneKernel) {
   EXPECT_EQ(terms.first_written, 1u);
   EXPECT_EQ(terms.shares[0], 0);
   EXPECT_EQ(terms.shares[1], 1);
+}
+
+// Two terms from the light: three passes over the tiles, not four.
+TEST(MappedTerms, TermsThatShareReadsAreCountedOnce) {
+  const FrameSettings s = like_the_scan();
+  std::vector<std::uint32_t> counters(counter_count(s));
+  counters[square_counter(s, 0, 0, counter_tiles)] = 10;
+  const std::array near{passes::Head{.detail = {.side = 512}}};
+  const FrameReport report = find_technique("texture-space").report(s, counters, near);
+  ASSERT_EQ(mapped_count(s, 0, near[0].detail), 2);
+  EXPECT_EQ(report.launched, 3u * 10 * 64);
 }
 
 TEST(MappedTerms, NoGuttersAreMadeForMapsThatAreNotRead) {

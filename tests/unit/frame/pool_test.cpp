@@ -23,7 +23,7 @@ TEST(Pool, HeadsTogetherFitTheLayersOfATexture) {
     plan.shadow_size = 48;
     plan.shadow_layers = lamps;
     plan.optimise.cull = true;
-    set_up_pool(plan, techniques::find_technique("texture-space"), {.count = 64, .most_side = 64}, {},
+    set_up_pool(plan, techniques::find_technique("texture-space"), {.count = 64, .used_side = 64}, {},
                 {.max_array_layers = 2048});
     EXPECT_EQ(plan.heads_per_batch, together) << lamps;
   }

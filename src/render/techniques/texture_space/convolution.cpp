@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/core/assert.h"
 #include "render/passes/light_map/transmission.h"
 #include "render/techniques/mapped_terms.h"
 #include "render/techniques/texture_space/mesh_steps.h"
@@ -76,6 +77,7 @@ class MakeChain {
   // from the light before any blur. One that does not end its term is written to its map, too: the one that
   // ends it overwrites it.
   void add_round(const std::vector<Step>& round) {
+    DERMIS_ASSERT_LE(round.size(), 2u);
     const std::string name = fmt::format("blur {}", round.front().number);
     const frame::TextureId stretch = maps_->stretch(mesh_);
     const auto target = [&](const Step& step) { return maps_->blurred()[step.term]; };

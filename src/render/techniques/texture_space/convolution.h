@@ -11,8 +11,8 @@ namespace dermis::techniques {
 /// Adds the blurs of the skin meshes of a batch. `squares`: of the pool, sorted by mesh. Meshes go through
 /// each step together; profiles that have more steps than others take further ones.
 ///
-/// The first two terms start from the light. Blurring a blurred map adds variances, so each further term
-/// starts from the one before, narrow to wide. Gutters at seams are refreshed after each step.
+/// Up to two terms start from the light: direct_steps(). Blurring a blurred map adds variances, so each
+/// further term starts from the one before, narrow to wide. Gutters at seams are refreshed after each step.
 void add_convolution(passes::FramePlan& plan, const FrameSettings& settings, LightMaps& maps,
                      const std::vector<passes::MapSquare>& squares);
 

@@ -16,7 +16,7 @@ namespace {
 // Work over the maps of one skin mesh of a head.
 struct Work {
   std::uint32_t terms = 0;         // Gaussians that are blurred
-  std::uint32_t convolutions = 0;  // passes, both axes counted
+  std::uint32_t convolutions = 0;  // passes, each axis counted
   std::uint32_t taps = 0;          // of these, where the unwrap has its mean density
 };
 
@@ -33,9 +33,11 @@ Work work_of(const FrameSettings& settings, const PlannedMesh& part, std::uint32
     total_mm2 += step.variance_mm2;
     const bool from_light = number < direct || number == mapped.first_step;
     if (number++ < mapped.first_step) continue;
-    work.convolutions += 2;
+    // Along the first axis the next step from the light reads for this one, too.
+    const std::uint32_t axes = number < direct ? 1 : 2;
+    work.convolutions += axes;
     const double sigma_mm = std::sqrt(from_light ? total_mm2 : step.variance_mm2);
-    work.taps += 2 * static_cast<std::uint32_t>(passes::blur_taps(sigma_mm * texels_per_mm, from_light));
+    work.taps += axes * static_cast<std::uint32_t>(passes::blur_taps(sigma_mm * texels_per_mm, from_light));
     if (step.ends_term) ++work.terms;
   }
   return work;

@@ -109,8 +109,7 @@ void spread(ivec2 p, vec4 centre) {
     add_along_u(s, p, chart, along_u, slope, vec2(1.0, together ? 1.0 : 0.0));
     if (two_terms) {
       add_along_u(s, p, chart, Taps(narrower.step, together ? 0 : narrower.reach), slope, vec2(0.0, 1.0));
-      if (io.narrower_mm2 > 0.0)
-        imageStore(narrower_out, at, vec4(storable(s.narrower / s.narrower_weight), chart));
+      imageStore(narrower_out, at, vec4(storable(s.narrower / s.narrower_weight), chart));
     }
   } else {
     const Taps along_u = load_kernel(sigma_mm * factor.x * texels);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/core/assert.h"
 #include "frame/resources.h"
 #include "render/passes/bindings.h"
 #include "render/passes/scatter/blur/blur_io.h"
@@ -13,7 +14,8 @@
 namespace dermis::passes {
 
 Blur::Out Blur::declare(frame::Declare& d) {
-  compute(d, "blur.comp", {{"two_terms", settings.narrower ? 1u : 0u}});
+  DERMIS_ASSERT_EQ(in.narrower.valid(), settings.narrower.has_value());
+  compute(d, "blur.comp", {{"two_terms", 0u}});
   d.read(in.light);
   d.write(in.target);
   if (in.narrower.valid()) d.write(in.narrower);
@@ -27,6 +29,7 @@ Blur::Out Blur::declare(frame::Declare& d) {
 
 void Blur::prepare(gpu::PipelineLibrary& library) {
   ComputePass::prepare(library);
+  if (settings.narrower) two_terms_ = &library.compute("blur.comp", {{"two_terms", 1u}});
   kernels_ =
       gpu::make_buffer(library.device(), "blur kernels", std::span(kernel_table()), gpu::texels_of_shaders);
 }
@@ -41,7 +44,8 @@ std::vector<UsedSquare> Blur::squares_of(const FrameData& frame) const {
                         : used_squares(frame, settings.squares);
 }
 
-void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const {
+void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light,
+                const gpu::Pipeline& pipeline) const {
   Bindings()
       .add("light_in", resources.storage(light))
       .add("stretch", resources.nearest(in.stretch))
@@ -50,23 +54,26 @@ void Blur::bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::Texture
       .add("narrower_out", resources.storage(in.narrower.valid() ? in.narrower : in.target))
       .add("Tiles", resources.buffer(in.lists.tiles))
       .add("TileCounts", resources.buffer(in.lists.counts))
-      .bind(cmd, pipeline());
+      .bind(cmd, pipeline);
 }
 
 void Blur::record(gpu::Cmd& cmd, const frame::Resources& resources, const FrameData& frame) const {
   frame::TextureId bound;
+  const gpu::Pipeline* bound_pipeline = nullptr;
 
   for (const UsedSquare& square : squares_of(frame)) {
     const bool enters = this->enters(frame, square);
     const frame::TextureId light = enters && in.start.valid() ? in.start : in.light;
-    if (light != bound) bind(cmd, resources, light);
+    const bool narrower =
+        settings.narrower && terms_of(frame, square).first_step <= settings.narrower->number;
+    const gpu::Pipeline& pipeline = narrower ? *two_terms_ : this->pipeline();
+    if (light != bound || &pipeline != bound_pipeline) bind(cmd, resources, light, pipeline);
     bound = light;
+    bound_pipeline = &pipeline;
 
     const double variance_mm2 = enters ? settings.chain->total_mm2 : settings.variance_mm2;
     const std::uint32_t list = in.lists.to_blur(square);
-    const bool narrower =
-        settings.narrower && terms_of(frame, square).first_step <= settings.narrower->number;
-    cmd.push(pipeline(),
+    cmd.push(pipeline,
              io::BlurIo{.variance_mm2 = static_cast<float>(variance_mm2),
                         .narrower_mm2 = narrower ? static_cast<float>(settings.narrower->total_mm2) : 0.0f,
                         .axis = settings.axis,

@@ -35,7 +35,8 @@ class Blur : public ComputePass {
     /// Set: leaves out heads that enter the chain at a later step; those that enter here start from
     /// In::start, texel-averaged, by total_mm2. None: all heads blur by variance_mm2.
     std::optional<ChainStep> chain;
-    /// Axis 0 of a step from the light: a narrower one that starts there, too, and shares its reads.
+    /// Axis 0 of a step from the light: a narrower one that starts there, too, and shares its reads. Heads
+    /// that enter the chain after it leave it out.
     std::optional<ChainStep> narrower;
   } settings;
   struct In {
@@ -55,7 +56,9 @@ class Blur : public ComputePass {
  private:
   bool enters(const FrameData& frame, const UsedSquare& square) const;
   std::vector<UsedSquare> squares_of(const FrameData& frame) const;
-  void bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light) const;
+  void bind(gpu::Cmd& cmd, const frame::Resources& resources, frame::TextureId light,
+            const gpu::Pipeline& pipeline) const;
+  const gpu::Pipeline* two_terms_ = nullptr;  // with `narrower`, for heads that read both
   gpu::Buffer kernels_;
 };
 

@@ -5,7 +5,7 @@
 DERMIS_IO_BEGIN
 struct BlurIo {
   float variance_mm2;
-  float narrower_mm2;   // of the other term of the pass; 0: it is not wanted
+  float narrower_mm2;   // of the other term of the pass, if it has two
   uint axis;            // 0, then 1
   uint texel_averaged;  // the first step: its input is constant over each texel
   uvec2 origin;         // of the square in the pool
