@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Refreshes the texels beside seams from the other side (head/scene/surface/gutters.h makes the list).
+/// Refreshes the texels beside seams: light crosses a seam, because each texel beside it continues the skin
+/// of the other chart. The list is made once per mesh and T (head/scene/surface/gutters.h). Departs from GPU
+/// Gems 3, ch. 14.4.3, which fades to local light at seams.
 #pragma once
 
 #include "render/passes/compute_pass.h"

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Clears the squares of a map and lets a host draw irradiance into them: FrameData::draw_irradiance.
+/// Irradiance then takes it from there, in place of the lights of the scene. It leaves out what the camera
+/// does not see, multiplies by the part of the albedo that acts first, and marks charts: a host knows nothing
+/// of these.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Draws which triangle each texel of a light map shows, for passes that compute what is there.
+/// Draws which triangle each texel of a light map shows, for passes that compute what is there. It does not
+/// depend on the camera, and lasts until its square holds another T or another unwrap (kept_maps.h). Based
+/// on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013 (triangles are stored, and their vertices' values
+/// computed again where they are needed)
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Adds light that was blurred in screen space to the entries of each pixel. To the rest, which ShadeSplit
-/// left there, comes the blurred light times the share that leaves the skin.
+/// Adds light that was blurred in screen space to the entries of each pixel, times its share that leaves the
+/// skin. That is the albedo after scattering, less what the surface reflects back. All entries of a pixel
+/// take the light of the first, which was blurred. Those of another head were lit without scattering.
+/// ShadeSplit left the rest there.
 #pragma once
 
 #include "render/passes/compute_pass.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Adds the transmitted light of a group of terms to the light blurred so far; see
-/// render/passes/light_map/transmission.h.
+/// Adds the transmitted light of a group of terms to the light blurred so far, before the first Gaussian that
+/// includes it is blurred. So the blurs that run anyway blur it, for any number of lights. See
+/// render/passes/light_map/transmission.h. Departs from [DLE07], which reads the blurred maps at the lit
+/// point: docs/techniques.md says why.
 #pragma once
 
 #include "render/passes/compute_pass.h"

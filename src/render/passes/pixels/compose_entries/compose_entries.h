@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Writes shaded entries into the targets of a host: their light, and the depth that was drawn with their
-/// ids.
+/// Writes shaded entries into the targets of a host, sample by sample: the light of the entry that the sample
+/// shows, and the depth that was drawn with its id. Things that the host has in front hide it. One invocation
+/// per pixel and sample writes that sample alone: sample shading is an optional feature of devices.
 #pragma once
 
 #include "render/passes/pixels/entry_buffers.h"

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// Entries of skin that a picture has to shade, listed by part, and the picture made of them. Based on:
-/// Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
+/// Entries of skin that a picture has to shade, listed by part, and the picture made of them
+/// (render/passes/pixels/entry_buffers.h). Samples of a pixel that show the same part with continuous
+/// depth are one entry. Where a pixel shows one surface, but three triangles of it or more, that surface
+/// is two. An entry that has its whole pixel keeps the triangle of its last sample, too: it is lit at two
+/// points. One indirect dispatch shades a part without idle lanes; the order within its list changes from
+/// run to run, and no result depends on it. Then each sample takes the light of its entry, and the mean
+/// of the samples is the pixel. Based on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013. Fatahalian
+/// et al.: Reducing Shading on GPUs Using Quad-Fragment Merging, SIGGRAPH 2010 (samples of one surface
+/// are shaded once)
 #pragma once
 
 #include "render/passes/compute_pass.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Draws the depth of heads into an image of a host.
+/// Draws the depth of heads into an image of a host: its depth pre-pass, or a shadow map of its own. No part
+/// of a plan: a host records it where it likes, with pose and matrix as push constants. Positions are
+/// computed as the picture computes them, so a pre-pass has its depth to the bit.
 #pragma once
 
 #include <span>

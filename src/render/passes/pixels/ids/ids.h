@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Draws the skin of all heads as ids and depth: what each sample shows, before anything is shaded.
-/// Based on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
+/// Draws the skin of all heads as ids and depth: what each sample shows, before anything is shaded. 16 bits
+/// are the part: a run of triangles of one material of a skin mesh of a head. 16 are the triangle, so longer
+/// runs are several parts. Id 0 is the background. An id is four bytes in RGBA8, because one software driver
+/// multisamples no integer targets. Triangles come from render/shaders/first_corner.glsl, without optional
+/// features. Based on: Burns, Hunt: The Visibility Buffer, JCGT 2(2), 2013
 #pragma once
 
 #include <vector>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Share of each pixel that no surface covers.
+/// Share of each pixel through which the background shows: the mean over its samples of what no opaque
+/// surface covers, less what blended surfaces hide there. `matte.comp` writes the rest, for callers who want
+/// it. Based on: Porter, Duff: Compositing Digital Images. SIGGRAPH 1984 (over)
 #pragma once
 
 #include "render/passes/compute_pass.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Draws everything that is not skin as glTF metallic-roughness: opaque and cut-out parts, or the blended
-/// ones from far to near.
+/// ones from far to near. Each material is bound once, however many nodes show a mesh
+/// (render/passes/asset/gpu_surfaces.h). Based on: Khronos: glTF 2.0 specification, appendix B; Karis:
+/// Physically Based Shading on Mobile, 2014 (reflection of the environment)
 #pragma once
 
 #include <map>

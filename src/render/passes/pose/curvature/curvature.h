@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Finds the curvature of a skin mesh at its vertices: once, and again when it is moved by a pose.
-/// Based on: NVIDIA: FaceWorks, 2014 (the mean of the least and the most that edges have, smoothed along
-/// edges)
+/// Finds the curvature of a skin mesh at its vertices, 1/mm: once, and again when it is moved by a pose. On
+/// an edge it is the turn of the normal over the length. At a vertex it is the mean of the least and the most
+/// of its edges. Vertices that a seam has split count as one. Neighbours are averaged at least twice, over
+/// about 1.5 mm: light that scatters sees no finer shape. Sums are of whole numbers, so every run has the
+/// same bits. Based on: NVIDIA: FaceWorks, 2014, which keeps the curvature of the bind pose
 #pragma once
 
 #include <array>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Moves the vertices of a skin mesh to where a host has them.
+/// Moves the vertices of a skin mesh to where a host has them, once for each time that it moves them. Its
+/// buffers are in the order of its own vertices, which dermis has split and joined. The metric of the unwrap
+/// stays that of the shape at rest: light blurs as if the skin had not stretched.
 #pragma once
 
 #include "gpu/cmd.h"

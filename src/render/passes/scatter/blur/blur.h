@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Blurs the light stored on the skin by one Gaussian of the profile, one axis per pass.
-/// Based on: [DLE07] sec. 3.3 (separable, each Gaussian from the previous one). Departures: the first two may
-/// both start from the light, and share its reads along the first axis; kernels.h, blur.comp
+/// Blurs the light stored on the skin by one Gaussian of the profile, one axis per pass, in millimetres for
+/// any unwrap. Taps never cross into another chart: beside seams they read gutters. Based on: [DLE07]
+/// sec. 3.3 (separable, each Gaussian from the previous one). Departures: kernels.h, blur.comp. Up to two
+/// terms start from the light, and share its reads along the first axis. So does the first that a head reads
+/// (render/passes/light_map/mapped_terms.h).
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// The blurred light of the terms of one skin mesh that are mapped, weighted and added, and the weight of the
-/// rest, for a host that shades it.
-/// Based on: [DLE07] sec. 3.4
+/// The blurred light of the mapped terms of one skin mesh, weighted and added, and the weight of the rest. A
+/// host reads both with dermis/scattered.glsl. Two layers per turn of the pool of light maps, so the light of
+/// all heads is there at the end of the frame. Departs from the picture: the part of a term that a map holds
+/// is that of the texel, not that of the pixel. Based on: [DLE07] sec. 3.4
 #pragma once
 
 #include <vector>
