@@ -13,7 +13,7 @@ namespace {
 
 constexpr int side_step = 32;  // texels
 
-// The mean density of the first skin mesh that has texture coordinates, at T_max; 0 if none has.
+// The mean density of the first skin mesh that has texture coordinates, at quality.map_size; 0 if none has.
 double texels_per_mm(const scene::AssetData& asset, const RenderSettings& s) {
   for (const scene::SkinMesh& mesh : asset.skin)
     if (mesh.density.uv_per_mm.mean > 0) return mesh.density.uv_per_mm.mean * s.quality.map_size;
@@ -126,7 +126,7 @@ double pixels_across(const scene::BoundingSphere& casters, const RenderSettings&
 
 int paper_side(const scene::AssetData& asset, const RenderSettings& s, double pixels_per_mm) {
   const double density = texels_per_mm(asset, s),
-               needed = density > 0 ? pixels_per_mm / density : 0;  // of T_max
+               needed = density > 0 ? pixels_per_mm / density : 0;  // of quality.map_size
   const double steps = std::ceil(std::min(needed, 1.0) * s.quality.map_size / side_step);
   return std::min(s.quality.map_size, side_step * std::max(1, static_cast<int>(steps)));
 }

@@ -17,8 +17,8 @@ namespace dermis::setup {
 /// Returns the camera as passes and shaders see it, for pictures of this ratio of width to height.
 io::CameraIo frame_camera(const scene::Camera& camera, double picture_aspect);
 
-/// Returns d_ref of [JG08] sec. 4, sphere radii: the distance at which the map at T_max has one texel per
-/// pixel, unless the settings give it. It is 0 if the camera is orthographic.
+/// Returns d_ref of [JG08] sec. 4, sphere radii: the distance at which a map of quality.map_size texels,
+/// its T_max, has one texel per pixel, unless the settings give it. It is 0 if the camera is orthographic.
 double reference_distance(const scene::AssetData& asset, const RenderSettings& settings,
                           const scene::Camera& camera);
 
