@@ -90,7 +90,8 @@ TEST(TermsByNeed, ThenItIsDrawnAsWithoutScattering) {
   expect_equal_bits(renderer().render(kept_head(), s), far);
 }
 
-// Where nothing is left out each step of the chain launches the whole used square, along both axes.
+// Where nothing is left out each step of the chain launches the whole used square, along both axes. The first
+// two share the first axis, which start from the light near by.
 TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
   std::vector<int> counts;
   for (const double distance : {2.0, 6.0, 9.0, 30.0, 400.0}) {
@@ -104,7 +105,8 @@ TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
     const std::uint64_t blurred = terms == 0 ? 0 : st.convolved_texels / st.irradiance_texels;
     EXPECT_TRUE(blurred == terms || blurred == terms + 1) << distance;
     EXPECT_EQ(st.convolved_texels, blurred * st.irradiance_texels) << distance;
-    EXPECT_EQ(st.launched, st.irradiance_texels + 2 * blurred * side * side) << distance;
+    const std::uint64_t shared = blurred == 3 ? 1 : 0;
+    EXPECT_EQ(st.launched, st.irradiance_texels + (2 * blurred - shared) * side * side) << distance;
     EXPECT_EQ(st.unshaded_reads, 0u) << distance;
     EXPECT_EQ(st.irradiance_texels > 0, terms > 0) << distance;
     counts.push_back(st.mapped_terms.front());
