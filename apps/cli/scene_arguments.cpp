@@ -137,7 +137,7 @@ void add_rig_lights(CLI::App& command, LightingSettings& lighting, const About& 
       ->default_str(lighting.rig_lights ? fmt::format("{}", *lighting.rig_lights) : "");
 }
 
-// Whether a command does not offer a setting: it varies, fixes or does not know it.
+// Returns true for a setting that a command varies, fixes or does not know.
 bool is_left_out(const std::string& path, const About& about, SceneUse use) {
   const auto is = [&](std::initializer_list<std::string_view> paths) {
     return std::find(paths.begin(), paths.end(), path) != paths.end();

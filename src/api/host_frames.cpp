@@ -188,8 +188,12 @@ void HostFrames::State::record_depth(VkCommandBuffer commands, const std::array<
   target.depth = &depth;
 
   std::vector<passes::Head> shown;
-  for (const passes::Head& head : frame.setup().heads)
-    if (scene.instance(ids[head.instance]).visible) shown.push_back(head);
+  for (const passes::Head& head : frame.setup().heads) {
+    if (!scene.instance(ids[head.instance]).visible) continue;
+    // Of what the set-up has decided, depth needs no more.
+    shown.emplace_back().instance = head.instance;
+    shown.back().world_from_asset = head.world_from_asset;
+  }
   frame.scene().give(shown);
   for (passes::Head& head : shown) {
     head.vertices = move.vertices_of(head.instance);

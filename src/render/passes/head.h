@@ -18,7 +18,7 @@
 
 namespace dermis::passes {
 
-/// Where the light of one skin mesh of a head lies in the textures that heads share: see
+/// The place of the light of one skin mesh of a head in the textures that heads share: see
 /// render/passes/light_map/light_pool.h.
 struct MapPlace {
   std::uint32_t index = 0;        ///< of the square
@@ -91,8 +91,8 @@ struct Head {
   /// PlacementIo[] of its pose, one per page; empty: those of `asset`.
   std::vector<gpu::BufferBinding> placements;
   bool moves = false;  ///< it has moved since the last frame, or this is its first
-  /// Of what its shadow layers show: the same number, the same depths and entering light. 0: may change
-  /// unseen.
+  /// Names the content of its shadow layers: the same number, the same depths and entering light. 0: that may
+  /// change unseen.
   std::uint64_t shadow_version = 0;
   gpu::BufferBinding before;                          ///< LabelsBeforeIo, for labels; else none
   std::vector<gpu::BufferBinding> placements_before;  ///< likewise, as `placements`; empty: those are still

@@ -52,8 +52,7 @@ struct FrameOutputs {
   std::map<std::string, Shown> shows;  ///< by name: "irradiance", "shadow:0", ...
   /// That grow with the heads and skin meshes of a batch; render/techniques/memory.h sums them.
   std::vector<frame::TextureId> light_maps, shadow_maps;
-  /// Where the light of each head and of each of its skin meshes lies, for passes::Head; none without
-  /// light maps.
+  /// The places of the light of each head, by skin mesh, for passes::Head; none without light maps.
   std::vector<std::vector<passes::MapPlace>> map_places;
 };
 

@@ -44,7 +44,7 @@ std::vector<ShadingMaterial> shading_materials(const scene::AssetData& scene, st
       if (m.skin_settings.roughness.present()) made.roughness = slot(m.skin_settings.roughness, false);
     }
 
-    if (auto normals = scene::fine_normals(scene, materials.size(), scene.skin)) {
+    if (auto normals = scene::fine_normals(scene, materials.size())) {
       made.normal = {.map = m.skin_settings.displacement,
                      .pixels = std::make_shared<const MapPixels>(std::move(*normals), false)};
       made.normal.map.scale = 1;

@@ -94,7 +94,7 @@ void prepare(const AssetData& scene) {
       DERMIS_ASSERT(texel.x < side && texel.y < side && texel.source_x >= 0 && texel.source_x <= side &&
                     texel.source_y >= 0 && texel.source_y <= side);
   }
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) fine_normals(scene, i, skin);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) fine_normals(*asset, i);
 }
 
 void check_inside(const Bounds& bounds, const glm::vec3& position_m) {

@@ -90,8 +90,8 @@ TEST(TermsByNeed, ThenItIsDrawnAsWithoutScattering) {
   expect_equal_bits(renderer().render(kept_head(), s), far);
 }
 
-// Where nothing is left out each step of the chain launches the whole used square, along both axes. The first
-// two share the first axis, which start from the light near by.
+// With nothing left out each step of the chain launches the whole used square, along both axes. Near by the
+// first two start from the light, and share the first axis.
 TEST(TermsByNeed, NarrowTermsOfAFarHeadAreNotBlurred) {
   std::vector<int> counts;
   for (const double distance : {2.0, 6.0, 9.0, 30.0, 400.0}) {

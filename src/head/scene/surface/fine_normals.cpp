@@ -7,17 +7,16 @@
 
 namespace dermis::scene {
 
-std::optional<image::Image8> fine_normals(const AssetData& scene, std::size_t material,
-                                          const std::vector<SkinMesh>& skin) {
+std::optional<image::Image8> fine_normals(const AssetData& scene, std::size_t material) {
   const Material& m = scene.materials[material];
   const MapRef& map = m.skin_settings.displacement;
   if (!m.skin || !map.present() || m.skin_settings.displacement_mm == 0) return std::nullopt;
 
-  const auto mesh = std::find_if(skin.begin(), skin.end(), [&](const SkinMesh& s) {
+  const auto mesh = std::find_if(scene.skin.begin(), scene.skin.end(), [&](const SkinMesh& s) {
     return std::find(s.triangle_material.begin(), s.triangle_material.end(), static_cast<int>(material)) !=
            s.triangle_material.end();
   });
-  if (mesh == skin.end()) return std::nullopt;
+  if (mesh == scene.skin.end()) return std::nullopt;
 
   DisplacementSettings settings;
   settings.displacement_mm = m.skin_settings.displacement_mm * map.scale;

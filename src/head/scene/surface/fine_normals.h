@@ -12,8 +12,7 @@
 namespace dermis::scene {
 
 /// Returns the map, to be read where the height map is read, with scale 1; nothing if the material has no
-/// height map.
-std::optional<image::Image8> fine_normals(const AssetData& scene, std::size_t material,
-                                          const std::vector<SkinMesh>& skin);
+/// height map. `scene` has its skin.
+std::optional<image::Image8> fine_normals(const AssetData& scene, std::size_t material);
 
 }  // namespace dermis::scene

@@ -269,7 +269,7 @@ GpuAsset::GpuAsset(gpu::PipelineLibrary& library, const scene::AssetData& scene)
 
     auto maps = maps_of(m);
     const gpu::Texture* fine = nullptr;
-    if (const auto normals = scene::fine_normals(scene, materials_.size(), scene.skin)) {
+    if (const auto normals = scene::fine_normals(scene, materials_.size())) {
       maps[MAP_NORMAL] = m.skin_settings.displacement;
       maps[MAP_NORMAL].scale = 1;
       fine = &upload_map(library, m.name + " fine normals", *normals, generated, false);

@@ -56,6 +56,8 @@ Taps load_narrower(float sigma) {
   return taps;
 }
 
+vec2 weights_at(int tap) { return vec2(kernel_row[tap], two_terms ? narrower_row[tap] : 0.0); }
+
 struct Sums {
   vec3 light, narrower;
   float weight, narrower_weight;
@@ -78,7 +80,7 @@ void add_along_u(inout Sums s, ivec2 p, float chart, Taps taps, float slope, vec
     const float whole = floor(shift);
     const float f = shift - whole;
     const ivec2 d = ivec2(k * taps.step, int(whole));
-    const vec2 weights = wanted * vec2(kernel_row[k], two_terms ? narrower_row[k] : 0.0);
+    const vec2 weights = wanted * weights_at(k);
 
     // The tap on the other side is at -shift: its two texels mirror these.
     add(s, light_at(p + d), chart, weights * (1.0 - f));
@@ -99,20 +101,20 @@ void spread(ivec2 p, vec4 centre) {
   const float slope = factor.x > 0.0 ? factor.y / factor.x : 0.0;
   const ivec2 at = p + ivec2(io.origin);
 
+  Taps narrower = Taps(1, 0);
+  if (two_terms) narrower = load_narrower(sqrt(io.narrower_mm2) * factor.x * texels);
+  const Taps along_u = load_kernel(sigma_mm * factor.x * texels);
+
   Sums s = Sums(vec3(0.0), vec3(0.0), 0.0, 0.0);
   if (io.axis == 0u) {
-    Taps narrower = Taps(1, 0);
-    if (two_terms) narrower = load_narrower(sqrt(io.narrower_mm2) * factor.x * texels);
-    const Taps along_u = load_kernel(sigma_mm * factor.x * texels);
     const bool together = narrower.step == along_u.step;
-    add(s, centre, chart, vec2(kernel_row[0], two_terms ? narrower_row[0] : 0.0));
+    add(s, centre, chart, weights_at(0));
     add_along_u(s, p, chart, along_u, slope, vec2(1.0, together ? 1.0 : 0.0));
     if (two_terms) {
       add_along_u(s, p, chart, Taps(narrower.step, together ? 0 : narrower.reach), slope, vec2(0.0, 1.0));
       imageStore(narrower_out, at, vec4(storable(s.narrower / s.narrower_weight), chart));
     }
   } else {
-    const Taps along_u = load_kernel(sigma_mm * factor.x * texels);
     float interpolation = 0.0;  // variance in texels^2 that the first pass has added along v
     for (int k = 1; k <= along_u.reach; ++k) {
       const float f = fract(slope * float(along_u.step) * float(k));
@@ -122,11 +124,11 @@ void spread(ivec2 p, vec4 centre) {
     const float wanted = sigma_mm * factor.z * texels;
     const Taps along_v = load_kernel(sqrt(max(wanted * wanted - interpolation, 0.0)));
 
-    add(s, centre, chart, vec2(kernel_row[0], 0.0));
+    add(s, centre, chart, weights_at(0));
     for (int k = 1; k <= along_v.reach; ++k) {
       const ivec2 d = ivec2(0, k * along_v.step);
-      add(s, light_at(p + d), chart, vec2(kernel_row[k], 0.0));
-      add(s, light_at(p - d), chart, vec2(kernel_row[k], 0.0));
+      add(s, light_at(p + d), chart, weights_at(k));
+      add(s, light_at(p - d), chart, weights_at(k));
     }
   }
   imageStore(light_out, at, vec4(storable(s.light / s.weight), chart));
